@@ -4,18 +4,22 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Collection, Iterable
+from functools import reduce
 from typing import Any, NamedTuple
 
 import msgspec
-from ecm_checker.contract import Evidence, Interface
+from ecm_checker.contract import Confidence, Evidence, Interface
 from ecm_checker.hub.condition import Condition, text_of
+
+from ecm_extract.link.running.values import surer, weaker
 
 
 def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
     """Join records of one endpoint that several lines make: same role, name and type; evidence adds up.
 
     Transforms are told by their pair of frames too; a listener without one has what is looked up first. Where lines
-    give a parameter different defaults, which of them holds is not known.
+    give a parameter different defaults, which of them holds is not known. It is as sure as the surest line that makes
+    it under all that the record says.
     """
     entries = list(interfaces)
     unsure = _of_several_defaults(entries)
@@ -81,6 +85,7 @@ def _undecided(entry: Interface, unsure: Collection[str]) -> Interface:
 
 
 def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...]) -> Interface:
+    when = _either(first.when, second.when)
     return Interface(
         role=first.role,
         name=first.name,
@@ -88,12 +93,18 @@ def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...])
         type=first.type or second.type,
         qos=first.qos or second.qos,
         frame=first.frame or second.frame,
-        confidence=first.confidence,
+        confidence=_confidence(first, second, when),
         evidence=evidence,
         default=second.default if first.default is None else first.default,
         inherited_from=first.inherited_from if second.inherited_from else None,
-        when=_either(first.when, second.when),
+        when=when,
     )
+
+
+def _confidence(first: Interface, second: Interface, when: tuple[Condition, ...]) -> Confidence:
+    """The surer of two that is made wherever the record says; where neither is, no line alone shows it there."""
+    alone = [each.confidence for each in (first, second) if all(condition in when for condition in each.when)]
+    return reduce(surer, alone) if alone else weaker(first.confidence, second.confidence)
 
 
 def _either(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> tuple[Condition, ...]:

@@ -250,6 +250,11 @@ def weaker(first: Confidence, second: Confidence) -> Confidence:
     return first if _RANK[first] >= _RANK[second] else second
 
 
+def surer(first: Confidence, second: Confidence) -> Confidence:
+    """The more certain of two."""
+    return first if _RANK[first] <= _RANK[second] else second
+
+
 def lowered(values: Iterable[Value], to: Confidence) -> tuple[Value, ...]:
     """The same values, at most as certain as `to`."""
     return tuple([value._replace(confidence=weaker(value.confidence, to)) for value in values])
