@@ -14,6 +14,7 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.walk import last_of
 from ecm_extract.link.folding.data import UNKNOWN, data_of
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Env
@@ -71,16 +72,11 @@ def counted(expr: Expr | None, env: Env, folder: Folder) -> int | float | None:
 
 def _in_unit(seconds: float, made: Call) -> int | float | None:
     """Seconds in the unit of a duration of chrono: a whole number but for `duration<double>`."""
-    name = _last(made)
+    name = last_of(made.callee)
     if name == "duration":
         return seconds if len(made.types) == 1 and made.types[0] in {"double", "float"} else None
     unit = _SECONDS.get(last_name(made.types[0]) if name == "duration_cast" and made.types else name)
     return None if unit is None else round(seconds / unit)
-
-
-def _last(call: Call) -> str:
-    callee = call.callee
-    return last_name(callee.id) if isinstance(callee, Name) else callee.name if isinstance(callee, Member) else ""
 
 
 def _seconds(expr: Expr, env: Env, folder: Folder, depth: int) -> float | None:
@@ -97,7 +93,7 @@ def _seconds(expr: Expr, env: Env, folder: Folder, depth: int) -> float | None:
 
 
 def _call(expr: Call, env: Env, folder: Folder, depth: int) -> float | None:
-    factor = _SECONDS.get(_last(expr))
+    factor = _SECONDS.get(last_of(expr.callee))
     if factor is None:
         return _period(expr, env, folder, depth) or _plain(expr, env, folder)
     total = 0.0
