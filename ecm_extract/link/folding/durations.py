@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any
 
 from ecm_parsers.numbers import real
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
@@ -15,10 +14,9 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import last_of
-from ecm_extract.link.folding.data import UNKNOWN, data_of
+from ecm_extract.link.folding.data import data_of
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Env
-from ecm_extract.link.running.values import Value
 
 MAX_DEPTH = 8
 _SECONDS: Mapping[str, float] = MappingProxyType(
@@ -138,22 +136,7 @@ def _variable(expr: Name | Member, env: Env, folder: Folder, depth: int) -> floa
 
 def _plain(expr: Expr, env: Env, folder: Folder) -> float | None:
     value = data_of(expr, env, folder)
-    if value is UNKNOWN and all(folded.confidence == "pattern" for folded in folder.fold(expr, env)):
-        value = _declared(expr, env, folder)
     return real(str(value)) if isinstance(value, int | float | str) and not isinstance(value, bool) else None
-
-
-def _declared(expr: Expr, env: Env, folder: Folder) -> Any:
-    """A field of a parameter struct is called like its parameter: `params->rate` has the default of `rate`."""
-    if not isinstance(expr, Member):
-        return None
-    known = folder.reads.default(expr.name, env.func.file.package)
-    if known is None:
-        return None
-    if isinstance(known, Value):
-        return known.text if known.data is None else known.data
-    found = data_of(known[0], known[1], folder)
-    return None if found is UNKNOWN else found
 
 
 def _computed(operator: str, left: float, right: float) -> float | None:
