@@ -16,6 +16,7 @@ from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.units import File
 from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt008 import mismatch
@@ -76,13 +77,16 @@ def _readers(workspace: Workspace) -> Iterator[Reader]:
 
 def _reads_lists(package: str, workspace: Workspace) -> bool:
     """Tell whether Python of a package loads YAML or JSON files: the topics may be those that a file lists."""
-    files = [file for file in workspace.linker.program.files if file.package == package]
-    bodies = [fact.body for file in files for fact in file.facts.functions if file.facts.language == "python"]
-    return any(_loads(expr) for body in bodies for step in body for expr, _ in expressions(step))
+    files = (file for file in workspace.linker.program.files if file.package == package)
+    return any(map(_loads, (file for file in files if file.language == "python")))
 
 
-def _loads(expr: Expr) -> bool:
-    return isinstance(expr, Call) and dotted(expr.callee) in _LOADERS
+def _loads(file: File) -> bool:
+    """Tell whether a file of Python calls a loader, under whatever name it imports it."""
+    steps = (step for fact in file.facts.functions for step in fact.body)
+    called = (dotted(expr.callee) or "" for step in steps for expr, _ in expressions(step) if isinstance(expr, Call))
+    parts = (each.partition(".") for each in called)
+    return any(f"{file.imported.get(head, head)}{dot}{rest}" in _LOADERS for head, dot, rest in parts)
 
 
 def _asks(interface: Interface) -> bool:
