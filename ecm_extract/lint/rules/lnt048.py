@@ -12,12 +12,11 @@ from typing import Final, NamedTuple
 from ecm_checker.contract import Evidence, Interface
 from ecm_checker.finding import Entity, Finding
 from ecm_checker.hub.running import RunningEndpoint
-from ecm_parsers.source.expr import Call, Expr, Member
+from ecm_parsers.source.expr import Call, Member
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import File
-from ecm_extract.link.code.walk import dotted, expressions
+from ecm_extract.link.code.walk import dotted, expressions, last_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt008 import mismatch
 from ecm_extract.lint.workspace import Workspace
@@ -77,16 +76,16 @@ def _readers(workspace: Workspace) -> Iterator[Reader]:
 
 def _reads_lists(package: str, workspace: Workspace) -> bool:
     """Tell whether Python of a package loads YAML or JSON files: the topics may be those that a file lists."""
-    files = (file for file in workspace.linker.program.files if file.package == package)
-    return any(map(_loads, (file for file in files if file.language == "python")))
+    program = workspace.linker.program
+    files = (file for file in program.files if file.package == package and file.language == "python")
+    return any(program.canonical(name, file) in _LOADERS for file in files for name in _calls(file))
 
 
-def _loads(file: File) -> bool:
-    """Tell whether a file of Python calls a loader, under whatever name it imports it."""
+def _calls(file: File) -> Iterator[str]:
+    """The names of what a file calls, as written."""
     steps = (step for fact in file.facts.functions for step in fact.body)
-    called = (dotted(expr.callee) or "" for step in steps for expr, _ in expressions(step) if isinstance(expr, Call))
-    parts = (each.partition(".") for each in called)
-    return any(f"{file.imported.get(head, head)}{dot}{rest}" in _LOADERS for head, dot, rest in parts)
+    found = (expr for step in steps for expr, _ in expressions(step))
+    return (dotted(expr.callee) or "" for expr in found if isinstance(expr, Call))
 
 
 def _asks(interface: Interface) -> bool:
@@ -114,11 +113,7 @@ def _around(place: Evidence, workspace: Workspace) -> Iterator[Statement]:
 def _is_generic(statement: Statement, line: int) -> bool:
     """Tell whether a statement calls on a line what makes a subscription of any type."""
     called = (each.callee for each, _ in expressions(statement) if isinstance(each, Call) and each.line == line)
-    return any(_called(each) == _GENERIC for each in called)
-
-
-def _called(callee: Expr) -> str:
-    return callee.name if isinstance(callee, Member) else last_name(dotted(callee) or "")
+    return any(last_of(each) == _GENERIC for each in called)
 
 
 def _chooses(statement: Statement) -> bool:
