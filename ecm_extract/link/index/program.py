@@ -173,6 +173,16 @@ class Program:
         """Return what a dotted name that a Python file imports is called outside of the tree; empty of others."""
         return self._names.outside(dotted, file)
 
+    def readings(self, name: str, file: File, scope: str = "") -> Iterable[str]:
+        """Return the qualified names that a type or base, as written, can have where it stands: the tree may lack it.
+
+        Of C++ one for each scope and namespace in which it is looked for, of Python the one that the imports give.
+        """
+        meant = self.canonical(name, file, scope)
+        if file.language != "python":
+            return self._names.readings(self.spelled_out(meant, file), file, scope)
+        return dict.fromkeys((meant, self.outside(plain(name), file) or meant))
+
     def installed_module(self, dotted: str, package: str) -> File | None:
         """Return the file of a module that a package installs; None of one that its build does not show."""
         found = self._path.installed(dotted, package)
