@@ -1,0 +1,47 @@
+"""How the object is made that a variable stands for, whoever has it meanwhile: nobody makes it another one by that."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name
+
+from ecm_extract.link.code.units import Cls
+from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+MAX_HANDED = 12
+"""Functions that hand an object on, each to the next."""
+
+
+class ObjectMakers:
+    """Follows objects of C++ through arguments to the one call that makes them."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def of(self, expr: Expr | None, env: Env) -> Instance | None:
+        """Return how the object is made; None where that is not known, or where several calls may have made it."""
+        for _ in range(MAX_HANDED):
+            bound = env.args.get(expr.id) if isinstance(expr, Name) else None
+            if bound is None:
+                break
+            expr, env = bound.expr, bound.env
+        if not isinstance(expr, Name | Member) or env.func.file.language != "cpp" or env.depth > MAX_DEPTH:
+            return None
+        makers = self.folder.origins.makers(expr, env) or ()
+        maker = makers[0] if len(makers) == 1 else None
+        if maker is None or not isinstance(maker.expr, Call):
+            return None
+        begun = self.folder.states.constructor(maker.expr, maker.env)
+        return begun.made if begun is not None else None
+
+    def part(self, receiver: Expr | None, cls: Cls, env: Env) -> Instance:
+        """Return the part of a class of an object, with what that was made with; of others what their type tells."""
+        held = self.folder.objects.held(receiver, cls, env)
+        made = self.of(receiver, env)
+        part = self.folder.objects.part(made, cls) if made is not None else None
+        return replace(part, types={**part.types, **held.types}) if part is not None else held
