@@ -14,6 +14,7 @@ from ecm_parsers.source.expr import (
     Call,
     Constant,
     Expr,
+    Items,
     Member,
     Name,
     Number,
@@ -161,6 +162,8 @@ class Folder:
                 return (constant(expr.value),)
             case Constant():
                 return (constant({"true": True, "false": False}.get(expr.name, NULL)),)
+            case Items(items=(only,)) if env.func.file.language == "cpp":  # `{"x"}` in the place of a text is that text
+                return self.fold(only, env.before(env.at))
             case Opaque() if expr.text.isidentifier():
                 return (unknown(expr.text),)
         return (unknown("value"),)
