@@ -156,12 +156,8 @@ class Folder:
                 return self.operators.op(expr, env)
             case Template():
                 return joined(self.shown(self.fold(part, env.before(env.at)), env) for part in expr.parts)
-            case Text():
-                return (literal(expr.value),)
-            case Number():
-                return (constant(expr.value),)
-            case Constant():
-                return (constant({"true": True, "false": False}.get(expr.name, NULL)),)
+            case Text() | Number() | Constant():
+                return (_stated(expr),)
             case Items(items=(only,)) if env.func.file.language == "cpp":  # `{"x"}` in the place of a text is that text
                 return self.fold(only, env.before(env.at))
             case Opaque() if expr.text.isidentifier():
@@ -244,6 +240,13 @@ class Folder:
         """Return values as texts: numbers and truth values as the language writes them."""
         python = env.func.file.language == "python"
         return tuple([_shown(value, python) for value in values])
+
+
+def _stated(expr: Text | Number | Constant) -> Value:
+    if isinstance(expr, Text):
+        return literal(expr.value)
+    known = {"true": True, "false": False}
+    return constant(expr.value if isinstance(expr, Number) else known.get(expr.name, NULL))
 
 
 def _left_open(values: Sequence[Value], label: str) -> Value:

@@ -90,13 +90,10 @@ class PythonTypes:
                 yield self.types.expression(held.expr, held.env.deeper(env.depth + 1), role)
 
     def _starred(self, name: str, env: Env, role: Role) -> TypeFound:
-        """What the one star import of types brings; of several, any can bring the name."""
-        starred = {entry.module for entry in env.func.file.facts.imports if entry.name == "*"}
+        """What the star imports of types bring, the last one that has the name."""
+        starred = [entry.module for entry in env.func.file.facts.imports if entry.name == "*"]
         shape = roles()[role].shape
         wanted = {ACTION, "msg"} if shape == ACTION else {shape or "msg"}
-        found = [module for module in starred if module.rsplit(".", 1)[-1] in wanted]
-        return (
-            TypeFound(self.types.full("::".join([*found[0].split("."), name]), role))
-            if len(found) == 1
-            else UNKNOWN_TYPE
-        )
+        modules = [module for module in starred if module.rsplit(".", 1)[-1] in wanted]
+        module = self.folder.program.message_starred(name, modules)
+        return TypeFound(self.types.full("::".join([*module.split("."), name]), role)) if module else UNKNOWN_TYPE
