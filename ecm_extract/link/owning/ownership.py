@@ -32,6 +32,8 @@ class Ownership:
         if self._is_only_offered(site):
             return self._library(unit)
         owners = [each for each in self.modules.owners(unit) if not _is_told_by_rows(site, each)]
+        line = [call.func for call in (*site.chain, site.call)]
+        owners = [each for each in owners if all(self.modules.links(each, func) for func in line)]
         through = self._through(unit, site)
         running = self._deciding(site, [each for each in owners if self.reach.reaches(each, through)])
         if not owners or (running and running[0].kind != "library"):
