@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
@@ -13,6 +14,7 @@ from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
+_NO_BODY: Final = frozenset({"declaration", "deleted"})
 MAX_HANDED = 12
 """Functions that hand an object on, each to the next."""
 
@@ -37,7 +39,9 @@ class ObjectMakers:
         if maker is None or not isinstance(maker.expr, Call):
             return None
         begun = self.folder.states.constructor(maker.expr, maker.env)
-        return begun.made if begun is not None else None
+        if begun is None or begun.made is None or not _are_told_apart(begun.func.cls):
+            return None
+        return self.folder.objects.delegated(begun.made)
 
     def part(self, receiver: Expr | None, cls: Cls, env: Env) -> Instance:
         """Return the part of a class of an object, with what that was made with; of others what their type tells."""
@@ -45,3 +49,11 @@ class ObjectMakers:
         made = self.of(receiver, env)
         part = self.folder.objects.part(made, cls) if made is not None else None
         return replace(part, types={**part.types, **held.types}) if part is not None else held
+
+
+def _are_told_apart(cls: Cls | None) -> bool:
+    """Whether the number of its arguments tells which constructor of a class a call means."""
+    methods = cls.methods if cls is not None else ()
+    makers = [each for each in methods if each.is_constructor and not _NO_BODY & set(each.fact.traits)]
+    spans = sorted(each.arity for each in makers)
+    return all(one[1] < other[0] for one, other in pairwise(spans))
