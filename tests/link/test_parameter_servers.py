@@ -108,8 +108,8 @@ def test_two_servers_of_one_file_give_parameters_twice(workspace: Any) -> None:
 DECLARED = [
     'dynamic_reconfigure::Server<pkg::DemoConfig> server_ {mutex_, ros::NodeHandle("limits")};',
     'dynamic_reconfigure::\n    Server<pkg::DemoConfig>\n    server_ {mutex_, ros::NodeHandle("limits")};',
-    'dynamic_reconfigure::Server<pkg::DemoConfig> server_ {ros::NodeHandle("limits")};\n'
-    "  dynamic_reconfigure::Server<pkg::DemoConfig>::CallbackType called_;",
+    """dynamic_reconfigure::Server<pkg::DemoConfig> server_ {ros::NodeHandle("limits")};
+  dynamic_reconfigure::Server<pkg::DemoConfig>::CallbackType called_;""",
 ]
 
 
