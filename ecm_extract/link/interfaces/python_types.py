@@ -6,13 +6,13 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from ecm_checker.hub.roles import Role, roles
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Member, Name
 from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.interfaces.type_found import ACTION, UNKNOWN_TYPE, TypeFound
-from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env
+from ecm_extract.link.running.env import MAX_DEPTH, Env
 
 if TYPE_CHECKING:
     from ecm_extract.link.interfaces.types import Types
@@ -65,28 +65,16 @@ class PythonTypes:
 
     def _of_object(self, expr: Member, env: Env, role: Role) -> TypeFound:
         """`self.types.kind`: what the constructor of the one object that this is leaves there, if nobody changes it."""
-        made = self._made(expr.base, env)
-        maker = self.folder.states.constructor(made.expr, made.env) if isinstance(made.expr, Call) else None
+        maker = self.folder.makers.of_python(expr.base, env)
         if maker is None or maker.this is None or self._is_given_elsewhere(expr.name):
             return UNKNOWN_TYPE
         given = self.folder.members.sources(expr.name, maker.this, maker)
         return self._only((held for held, _ in given), env, role)
 
     def _is_given_elsewhere(self, name: str) -> bool:
-        """Whether others than methods give a field of that name of some object anything but `None`, which is no type."""
+        """Whether others than methods give a field of that name of some object anything but `None`, no type."""
         given = (entry.statement.value for entry in self.folder.scope.assigned_outside(name, "python"))
         return any(value != NULL for value in given)
-
-    def _made(self, expr: Expr, env: Env) -> Bound:
-        """Follow an object from variable to variable to what makes it."""
-        made = Bound(expr, env)
-        for _ in range(MAX_DEPTH):
-            helds = self.folder.origins.of(made.expr, made.env) if isinstance(made.expr, Name | Member) else []
-            held = helds[0] if len(helds) == 1 else None
-            if held is None or held.how != "value" or held.expr is None:
-                break
-            made = Bound(held.expr, held.env or made.env)
-        return made
 
     def _spelled_out(self, dotted: str, env: Env, role: Role) -> TypeFound:
         """`pkg.msg.Name` of a module that the file only takes names of: one of its stars binds the package itself."""

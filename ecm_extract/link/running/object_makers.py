@@ -20,7 +20,7 @@ MAX_HANDED = 12
 
 
 class ObjectMakers:
-    """Follows objects of C++ through arguments to the one call that makes them."""
+    """Follows objects through arguments to the one call that makes them."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
@@ -42,6 +42,16 @@ class ObjectMakers:
         if begun is None or begun.made is None or not _are_told_apart(begun.func.cls):
             return None
         return self.folder.objects.delegated(begun.made)
+
+    def of_python(self, expr: Expr, env: Env) -> Env | None:
+        """Return the beginning of the constructor that makes an object of Python, through variables and callers."""
+        for _ in range(MAX_HANDED):
+            helds = self.folder.origins.of(expr, env) if isinstance(expr, Name | Member) else []
+            held = helds[0] if len(helds) == 1 else None
+            if held is None or held.how != "value" or held.expr is None:
+                break
+            expr, env = held.expr, held.env or env
+        return self.folder.states.constructor(expr, env) if isinstance(expr, Call) else None
 
     def part(self, receiver: Expr | None, cls: Cls, env: Env) -> Instance:
         """Return the part of a class of an object, with what that was made with; of others what their type tells."""
