@@ -13,6 +13,7 @@ from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.declaring.match import handle_argument, name_argument, positions
 from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.running.env import Env
@@ -158,9 +159,11 @@ def _below(statement: Statement) -> Expr | None:
 
 
 def _is_qos(name: str, func: Func) -> bool:
-    """Tell whether a function takes a profile by this name; Python need not write its type."""
-    python = func.file.language == "python"
-    return any(entry.name == name and (python or "qos" in entry.type.lower()) for entry in func.fact.params)
+    """Tell whether a function takes a profile or the length of a queue by this name; Python need not write a type."""
+    given = [entry.type for entry in func.fact.params if entry.name == name]
+    if func.file.language == "python":
+        return bool(given)
+    return any("qos" in written.lower() or declared_type(plain_type(written)) == "integer" for written in given)
 
 
 def _unknown(value: Value) -> Iterator[str]:

@@ -273,7 +273,7 @@ class Sites:
             and link.receiver in {None, Name("this")}
         )
         this = env.this if same else func.cls
-        inner = env.made if same else self.folder.objects.held(link.receiver, func.cls, env)
+        inner = env.made if same else self.folder.makers.part(link.receiver, func.cls, env)
         return Env(func, at, args, types, this, inner)
 
     def _entered(self, link: Invocation, following: Invocation, env: Env, cls: Cls) -> Env:

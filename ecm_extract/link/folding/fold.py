@@ -14,6 +14,7 @@ from ecm_parsers.source.expr import (
     Call,
     Constant,
     Expr,
+    Items,
     Member,
     Name,
     Number,
@@ -49,6 +50,7 @@ from ecm_extract.link.running.given_fields import GivenFields
 from ecm_extract.link.running.lasting import LastingVariables
 from ecm_extract.link.running.lasting_states import LastingStates
 from ecm_extract.link.running.method_effects import MethodEffects
+from ecm_extract.link.running.object_makers import ObjectMakers
 from ecm_extract.link.running.object_states import ObjectStates
 from ecm_extract.link.running.objects import Objects
 from ecm_extract.link.running.origins import Origins
@@ -124,6 +126,7 @@ class Folder:
         self.unset = UnsetVariables(self)
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
+        self.makers = ObjectMakers(self)
         self.given_fields = GivenFields(self)
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)
@@ -158,12 +161,10 @@ class Folder:
                 return self.operators.op(expr, env)
             case Template():
                 return joined(self.shown(self.fold(part, env.before(env.at)), env) for part in expr.parts)
-            case Text():
-                return (literal(expr.value),)
-            case Number():
-                return (constant(expr.value),)
-            case Constant():
-                return (constant({"true": True, "false": False}.get(expr.name, NULL)),)
+            case Text() | Number() | Constant():
+                return (_stated(expr),)
+            case Items(items=(only,)) if env.func.file.language == "cpp":  # `{"x"}` in the place of a text is that text
+                return self.fold(only, env.before(env.at))
             case Opaque() if expr.text.isidentifier():
                 return (unknown(expr.text),)
         return (unknown("value"),)
@@ -244,6 +245,13 @@ class Folder:
         """Return values as texts: numbers and truth values as the language writes them."""
         python = env.func.file.language == "python"
         return tuple([_shown(value, python) for value in values])
+
+
+def _stated(expr: Text | Number | Constant) -> Value:
+    if isinstance(expr, Text):
+        return literal(expr.value)
+    known = {"true": True, "false": False}
+    return constant(expr.value if isinstance(expr, Number) else known.get(expr.name, NULL))
 
 
 def _left_open(values: Sequence[Value], label: str) -> Value:

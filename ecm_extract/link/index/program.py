@@ -192,6 +192,10 @@ class Program:
         """Return the whole name of a C++ `msg::Name` whose package is a namespace around it; None of other names."""
         return self._messages.find(name, file, scope)
 
+    def message_starred(self, name: str, modules: Sequence[str]) -> str | None:
+        """Return which of the modules of messages that a Python file takes whole brings a name; None of several."""
+        return self._messages.starred(name, modules)
+
     def message_constant(self, name: str, file: File, scope: str = "") -> str | float | None:
         """Return the constant of a message of the tree that a name means where it stands; None of other names."""
         if file.language == "python":

@@ -34,6 +34,8 @@ class Ownership:
         if self._is_only_offered(site):
             return self._library(unit)
         owners = [each for each in self.modules.owners(unit) if not _is_told_by_rows(site, each)]
+        line = [call.func for call in (*site.chain, site.call)]
+        owners = [each for each in owners if all(self.modules.links(each, func) for func in line)]
         through = self._through(unit, site)
         unused = any(self.constructors.is_unused(func) for func in through)
         reached = [] if unused else [each for each in owners if self.reach.reaches(each, through)]

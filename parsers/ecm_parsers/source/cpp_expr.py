@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.numbers import truncated
 from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
+from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.expr import (
     Call,
     Expr,
@@ -65,7 +66,7 @@ class ExprReader:
 
     def type_text(self, node: Node) -> str:
         """Return a type as written, white space collapsed."""
-        return " ".join(self.text(node).split())
+        return collapsed(self.text(node))
 
     def read(self, node: Node) -> Expr:
         """Return the expression at `node`; beyond `MAX_DEPTH` levels it is opaque."""
