@@ -43,17 +43,18 @@ def called_by_name(func: Func, inner: Sequence[Func]) -> Iterator[Func]:
 
 def _handed(statement: Statement) -> Iterator[str]:
     """The names in a statement that are no callees; what runs later hands all of its own."""
-    if statement.deferred:
+    value = statement.value
+    if statement.deferred or (isinstance(value, Lambda) and statement.target == Name(value.name)):
         yield from _named(statement)
-    elif statement.value is not None:
-        yield from _not_called(statement.value)
+    elif value is not None:
+        yield from _not_called(value)
 
 
 def _not_called(expr: Expr) -> Iterator[str]:
     if isinstance(expr, Name):
         yield expr.id
     elif isinstance(expr, Lambda):
-        yield from _all(expr)
+        yield from (expr.name, *_all(expr))
     called = isinstance(expr, Call) and isinstance(expr.callee, Name)
     for part in children(expr)[1:] if called else children(expr):
         yield from _not_called(part)
