@@ -101,14 +101,15 @@ class Calling:
         known = [self.frame.judge.members_changed(call, env) if self.frame.whole else None for call in calls]
         changing = [(call, members) for call, members in zip(calls, known, strict=True) if members != {}]
         if len(changing) > 1 or None in known:
-            return self.memory.lost(state, [key]) if key else self._anything(state)
+            return self.memory.lost(state, self.memory.names(key, state)) if key else self._anything(state)
         if not key:
             self.memory.show([member for member in state.holds if member.startswith(".")], state)
         for call, members in changing:
             found = {
                 member: self._after(member, name, call, at, env, state) for member, name in (members or {}).items()
             }
-            state = state.having({member: (held,) for member, held in found.items()})
+            for member, held in found.items():
+                state = self.memory.in_part(member, held, state)
         return state
 
     def _followed(self, state: State) -> list[str]:

@@ -74,6 +74,9 @@ class Targets(Protocol):
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++ means a variable of a namespace."""
 
+    def shown_part(self, call: Call, func: Func) -> Expr | None:
+        """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
+
     @property
     def exceptions(self) -> Exceptions:
         """Who knows what raises."""
@@ -106,7 +109,14 @@ class Effects:
 
     def key(self, expr: Expr | None) -> str:
         """Return the key of the variable that an expression is, empty for none."""
-        return key_of(expr, self.own, self.is_member)
+        return key_of(self.reached(expr), self.own, self.is_member)
+
+    def reached(self, expr: Expr | None) -> Expr | None:
+        """Return a field as one of the part that it is reached through: `box.topic.name` for `box.inner().name`."""
+        if self.python or not isinstance(expr, Member) or not isinstance(expr.base, Call | Member):
+            return expr
+        part = self.targets.shown_part(expr.base, self.func) if isinstance(expr.base, Call) else self.reached(expr.base)
+        return expr if part is None or part is expr.base else Member(part, expr.name)
 
     def root(self, expr: Expr | None) -> str:
         """Return the key of the variable that an expression reaches into, empty for none."""

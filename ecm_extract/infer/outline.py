@@ -13,7 +13,7 @@ from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
 from ecm_extract.infer.inner import only_called
-from ecm_extract.infer.places import own_names
+from ecm_extract.infer.places import own_names, target_of
 from ecm_extract.infer.raising import may_raise
 from ecm_extract.infer.raising_calls import unpacks
 from ecm_extract.infer.unpacking import unstarred
@@ -64,7 +64,7 @@ class Outline:
         return frozenset(found | {effect.key for effect in effects if effect.kind != "handed"} | self.escaped)
 
     def _assigned(self, statement: Statement) -> Iterator[str]:
-        return self.bound_keys(statement.target) if statement.kind != "do" else iter(())
+        return self.bound_keys(target_of(statement)) if statement.kind != "do" else iter(())
 
     def is_one(self, key: str) -> bool:
         """Tell whether a name of C++ means one local variable throughout the body: no block hides it by another."""
@@ -192,7 +192,7 @@ class Outline:
         found |= {self.effects.key(target) or self.effects.root(target) for target, _, _ in self.reads.get(at, ())}
         found |= {key for call in self.func.calls[at] for key in self.changed_by_inner(call)}
         if statement.kind != "do":
-            found |= set(self.bound_keys(statement.target))
+            found |= set(self.bound_keys(target_of(statement)))
         return frozenset(found - {""})
 
     def changed_by_inner(self, call: Call) -> Set[str]:

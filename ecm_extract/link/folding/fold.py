@@ -49,6 +49,7 @@ from ecm_extract.link.running.given_fields import GivenFields
 from ecm_extract.link.running.lasting import LastingVariables
 from ecm_extract.link.running.lasting_states import LastingStates
 from ecm_extract.link.running.method_effects import MethodEffects
+from ecm_extract.link.running.object_fields import ObjectFields
 from ecm_extract.link.running.object_states import ObjectStates
 from ecm_extract.link.running.objects import Objects
 from ecm_extract.link.running.origins import Origins
@@ -120,6 +121,7 @@ class Folder:
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
         self.given_fields = GivenFields(self)
+        self.object_fields = ObjectFields(self)
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)
         self.outside = OutsideVariables(self)

@@ -120,7 +120,8 @@ class ReturnFolder:
             return Env(callee, 0, args, depth=env.depth + 1, outer=outer, call=led)
         made = self._made(call, env)
         this = _class_of(made, callee, call, env)
-        caller = THIS if is_own(call.receiver) else call.receiver if made is not None else None
+        written = made is not None or self.folder.object_fields.reads(callee, this)
+        caller = THIS if is_own(call.receiver) else call.receiver if written else None
         follows = caller is not None and self.folder.methods.depends(callee, this)
         within = Bound(caller, env) if follows and caller is not None else None
         return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=within, call=led)

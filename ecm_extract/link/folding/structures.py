@@ -24,6 +24,8 @@ from ecm_extract.link.running.values import Value, alternatives, constant, demot
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
+MAX_STATEMENTS: Final = 1_000_000
+"""Behind the last statement of a function."""
 _PAIR: Final = ("first", "second")
 _GET: Final = "std::get"
 _DECLARED: Final = frozenset({"made", "given", "shared"})
@@ -42,6 +44,8 @@ class StructureFolder:
         """Return the values of a field; empty when it is not known what the object is made from."""
         if self._is_reached_into(expr, env):
             return ()
+        if self._is_copy(expr.base, env):
+            return self.handed_on(expr, env)
         made = self._constructed(expr, env)
         if made:
             return made
@@ -61,6 +65,11 @@ class StructureFolder:
         if field.default is not None:
             return demoted(self.folder.fold(field.default, Env(env.func, depth=env.depth + 1, this=cls)))
         return _left_empty(field.type)
+
+    def _is_copy(self, expr: Expr, env: Env) -> bool:
+        """Tell whether an object is as another one was, of which it is a copy or which was handed to the function."""
+        made = self._made(expr, env) if env.depth < MAX_DEPTH else None
+        return made is not None and isinstance(made.expr, Name | Member)
 
     def part_by_place(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
         """`std::get<1>(pair)`; None for other calls."""
@@ -90,13 +99,18 @@ class StructureFolder:
         return self._class_called(made, place)
 
     def _by_best(self, name: str, cls: Cls, call: Invocation, env: Env) -> tuple[Value, ...]:
-        scores = {maker: score(call, maker) for maker in _makers(cls)}
-        best = max(scores.values())
-        fitting = [maker for maker, points in scores.items() if points == best != NO]
         values = [
-            value for maker in fitting for value in self._left(name, Instance(cls, bind(maker, call, env), {}, maker))
+            value
+            for maker in self._fitting(cls, call)
+            for value in self._left(name, Instance(cls, bind(maker, call, env), {}, maker))
         ]
         return alternatives(values) if values else ()
+
+    def _fitting(self, cls: Cls, call: Invocation) -> list[Func]:
+        """The constructors that take the arguments of a call best."""
+        scores = {maker: score(call, maker) for maker in _makers(cls)}
+        best = max(scores.values(), default=NO)
+        return [maker for maker, points in scores.items() if points == best != NO]
 
     def _left(self, name: str, made: Instance) -> tuple[Value, ...]:
         place = Env(made.maker, this=made.cls, made=made) if made.maker is not None else None
@@ -228,17 +242,50 @@ class StructureFolder:
 
     def _made(self, expr: Expr, env: Env) -> Bound | None:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
+        if isinstance(expr, Call) and self._class_called(expr, env) is not None:
+            return Bound(expr, env)
         if not isinstance(expr, Name | Member):
             return None
         helds = self._helds(expr, env)
         if all(held.how == "given" for held in helds):
-            return self._of_name(expr, env) if isinstance(expr, Name) else self._part(expr, env)
+            return self._of_name(expr, env) if isinstance(expr, Name) else self._of_whole(expr, env)
         held = helds.pop()
         if helds or held.how != "value" or held.env is None or held.expr is None:
             return None
-        if pointed(held.expr) and not (isinstance(expr, Name) and is_only_reached_into(expr.id, held.env.func)):
+        if isinstance(expr, Name) and not self._is_followed(expr.id, held.expr, held.env.func):
             return None
         return Bound(held.expr, held.env)
+
+    def _is_followed(self, name: str, made: Expr, func: Func) -> bool:
+        """Whether it is seen who changes the object in a variable: nobody whom the function only declares or hands it."""
+        if self.folder.states.callers.is_changed_inside(name, func):
+            return False
+        return not pointed(made) or is_only_reached_into(name, func, lambda call: self._is_method(call, func))
+
+    def _is_method(self, call: Call, func: Func) -> bool:
+        callee = self.folder.flow.target(call, func, MAX_STATEMENTS)
+        return callee is not None and callee.cls is not None
+
+    def _of_whole(self, expr: Member, env: Env) -> Bound | None:
+        """What a member is made from of an object that is copied, has its parts written, or is made by a constructor."""
+        whole = self._made(expr.base, env) if env.depth < MAX_DEPTH else None
+        if whole is not None and isinstance(whole.expr, Name | Member):
+            return Bound(Member(whole.expr, expr.name), whole.env)
+        return self._part(expr, env) or (self._left_by_maker(expr, whole, env) if whole is not None else None)
+
+    def _left_by_maker(self, expr: Member, whole: Bound, env: Env) -> Bound | None:
+        """What the one constructor that can have made an object gives a member of it."""
+        if not isinstance(whole.expr, Items | Call) or whole.env.func.file.language != "cpp":
+            return None
+        cls = self._class_made(whole.expr, expr.base, whole.env, env)
+        makers = self._fitting(cls, _construction(cls, whole.expr, whole.env)) if cls is not None else []
+        if cls is None or len(makers) != 1:
+            return None
+        args = bind(makers[0], _construction(cls, whole.expr, whole.env), whole.env)
+        begun = Env(makers[0], 0, args, this=cls, made=Instance(cls, args, {}, makers[0]), depth=env.depth + 1)
+        ways = self.folder.flow.left(self.folder.flow.run(begun), f".{expr.name}")
+        held = ways[0] if len(ways) == 1 and ways[0].how == "value" else None
+        return Bound(held.expr, held.env) if held is not None and held.expr is not None and held.env else None
 
     def _of_name(self, expr: Name, env: Env) -> Bound | None:
         """What is passed for a parameter, or what a variable of a namespace is declared with that nobody changes."""

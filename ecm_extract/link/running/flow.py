@@ -17,6 +17,7 @@ from ecm_extract.infer.places import as_written
 from ecm_extract.infer.routes import Fork, Verdict
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.naming_calls import leaves_arguments
+from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.decisions import Decisions
@@ -194,6 +195,8 @@ class Flow:
         states = self.states(env)
         found = [self.decisions.ways(state.holds.get(key, ())) for state in states]
         if not any(found):
+            if key in self.outline(env.func).escaped and "." in key[1:]:
+                return [(Held("lost", key),)]  # a function within may give the field something any time
             return [] if any(state.called for state in states) else self._entered(key, env)
         shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
         known = [ways or (Held("shared" if shared else "given", key),) for ways in found]
@@ -268,7 +271,15 @@ class Flow:
     def target(self, call: Call, func: Func, at: int) -> Func | None:
         """Return the function with a body that a call in a statement of a function means."""
         env = Env(func, at, this=func.cls)
+        made = pointed(call)
+        if made:
+            cls = self.folder.objects.class_written(made, env)
+            return self.folder.objects.constructor(cls, len(call.args)) if cls is not None else None
         return self.folder.objects.callee(invocation_of(call, env), env)
+
+    def shown_part(self, call: Call, func: Func) -> Expr | None:
+        """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
+        return self.folder.parts.shown(call, func)
 
     def keeps(self, path: str) -> bool:
         """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""

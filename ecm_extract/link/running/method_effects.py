@@ -132,7 +132,7 @@ class MethodEffects:
         if asked not in self._depending:
             self._depending[asked] = False  # who asks in a circle
             called = self._called(func, this) or () if func.cls is not None else ()
-            own = self.folder.shifting.is_read(func, this)
+            own = self.folder.shifting.is_read(func, this) or self.folder.object_fields.reads(func, this)
             self._depending[asked] = own or any(self.depends(each, this) for each in called)
         return self._depending[asked]
 
