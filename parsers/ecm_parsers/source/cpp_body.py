@@ -10,7 +10,7 @@ from ecm_parsers.source.cpp_binding import Binding
 from ecm_parsers.source.cpp_captures import capturing, initial_captures
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
-from ecm_parsers.source.cpp_lambdas import DeclaredFunctions, is_mutable, lambda_parameters, only_expression, place_name
+from ecm_parsers.source.cpp_lambdas import DeclaredFunctions, changes_copies, lambda_parameters, only_expression, place_name
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_raising import type_thrown, types_caught
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of, otherwise
@@ -283,7 +283,7 @@ class BodyReader:
             line_of(node),
             node.end_point[0] + 1,
             tuple(inner.writer.statements),
-            traits=("lambda", "mutable") if is_mutable(node) else ("lambda",),
+            traits=("lambda", "mutable") if changes_copies(node) else ("lambda",),
             flow=inner.writer.flow(),
         )
         read = capturing((made, *inner.functions), held)

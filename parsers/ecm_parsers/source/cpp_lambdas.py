@@ -74,11 +74,24 @@ def lambda_parameters(reader: ExprReader, node: Node) -> tuple[Parameter, ...]:
     return parameters(reader, declarator.child_by_field_name("parameters") if declarator is not None else None)
 
 
-def is_mutable(node: Node) -> bool:
-    """Tell whether a lambda may change its own copies of what it captures."""
+def changes_copies(node: Node) -> bool:
+    """Tell whether a lambda may change its own copies of variables around it, which go by the names of these."""
     declarator = node.child_by_field_name("declarator")
     parts = declarator.children if declarator is not None else []
-    return any(part.text == b"mutable" for part in parts)
+    if not any(part.text == b"mutable" for part in parts):
+        return False
+    listed = node.child_by_field_name("captures")
+    return listed is not None and any(map(_is_copied, listed.named_children))
+
+
+def _is_copied(capture: Node) -> bool:
+    """Whether a lambda has copies by a capture that gives them no value: `=`, `name`, `*this`, `names...`."""
+    if capture.type == "lambda_default_capture":
+        return capture.text == b"="
+    before = capture.prev_sibling.type if capture.prev_sibling is not None else ""
+    if capture.type == "this":
+        return before == "*"
+    return capture.type != "lambda_capture_initializer" and before != "&"
 
 
 def only_expression(made: Function) -> Expr | None:
