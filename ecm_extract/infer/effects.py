@@ -77,6 +77,9 @@ class Targets(Protocol):
     def shown_part(self, call: Call, func: Func) -> Expr | None:
         """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
 
+    def is_lent(self, call: Call, func: Func, index: int) -> bool:
+        """Tell whether a function of the tree does nothing with an argument of a call in another one but call it."""
+
     @property
     def exceptions(self) -> Exceptions:
         """Who knows what raises."""
@@ -150,7 +153,7 @@ class Effects:
             self._known[at] = ()  # who asks in a circle
             statement = self.func.fact.body[at]
             found = [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
-            perhaps = frozenset(_perhaps_called(statement.value)) if found else frozenset()
+            perhaps = frozenset(perhaps_called(statement.value)) if found else frozenset()
             known = self._known[at] = tuple(
                 [_if_called(effect) if effect.call in perhaps else effect for effect in found]
             )
@@ -294,15 +297,15 @@ def is_plain(expr: Expr | None) -> bool:
     return isinstance(expr, Op) and expr.op in {"%", "-", "*", "/", "//", "==", "!=", "<", ">", "!", "format"}
 
 
-def _perhaps_called(expr: Expr | None) -> Iterator[Call]:
+def perhaps_called(expr: Expr | None) -> Iterator[Call]:
     """Yield the calls that a value makes on one side of a choice only: `a.pop() if a else b`."""
     if isinstance(expr, Op) and expr.op in {"?:", "&&", "||"}:
-        yield from _perhaps_called(expr.operands[0])
+        yield from perhaps_called(expr.operands[0])
         for side in expr.operands[1:]:
             yield from calls_in(side)
         return
     for part in children(expr) if expr is not None else ():
-        yield from _perhaps_called(part)
+        yield from perhaps_called(part)
 
 
 def _if_called(effect: Effect) -> Effect:

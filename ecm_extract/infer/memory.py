@@ -143,6 +143,7 @@ class Memory:
         found: set[str] = set()
         for at in statements(block):
             found |= self._changed_by(at) | self.frame.judge.lasting.keys(self.frame.env.func, at)
+            found |= self.frame.judge.lent.keys(self.frame.env, at)
         return found
 
     def _refer(self, let: Statement) -> None:

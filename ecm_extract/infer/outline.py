@@ -12,7 +12,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
-from ecm_extract.infer.inner import only_called
+from ecm_extract.infer.inner import function_named, only_called
 from ecm_extract.infer.places import own_names, target_of
 from ecm_extract.infer.raising import may_raise
 from ecm_extract.infer.raising_calls import unpacks
@@ -108,13 +108,21 @@ class Outline:
         """The functions within it that it does nothing with but call, with the variables that they change."""
         if self.func.fact.name == "<module>":  # whose functions anybody can call
             return {}
-        found = {func: frozenset(self._changed_inside(func)) for func in only_called(self.func, self.inner)}
+        called = only_called(self.func, self.inner, self._lends)
+        found = {func: frozenset(self._changed_inside(func)) for func in called}
         return {func: keys for func, keys in found.items() if self._are_followed(func, keys)}
+
+    def _lends(self, call: Call, index: int) -> bool:
+        """Whether an argument is a function that is declared here, which the function that gets it only calls."""
+        own = any(function_named(call.args[index]) == func.fact.name for func in self.inner)
+        return own and self.effects.targets.is_lent(call, self.func, index)
 
     def _are_followed(self, func: Func, keys: Set[str]) -> bool:
         """Whether what a function within it changes are variables that nobody hands to it as well, by reference."""
-        calls = (call for group in self.func.calls for call in group if call.callee == Name(func.fact.name))
-        handed = {self.effects.root(arg) for call in calls for arg in call.args} if not self.python else set()
+        calls = [call for group in self.func.calls for call in group]
+        named = [call for call in calls if call.callee == Name(func.fact.name)] if not self.python else []
+        named += [call for call in calls if _is_given(call, func)]
+        handed = {self.effects.root(arg) for call in named for arg in call.args}
         shared = (keys & handed) | ((keys | handed) & self._references)
         return not shared and not any(key.startswith(".") for key in keys)
 
@@ -196,8 +204,11 @@ class Outline:
         return frozenset(found - {""})
 
     def changed_by_inner(self, call: Call) -> Set[str]:
-        """Return the variables that a call of a function which is declared here changes."""
-        return next((keys for func, keys in self.captured.items() if call.callee == Name(func.fact.name)), frozenset())
+        """Return the variables that a call changes of a function which is declared here, or of who is lent one."""
+        found = (
+            keys for func, keys in self.captured.items() if call.callee == Name(func.fact.name) or _is_given(call, func)
+        )
+        return frozenset().union(*found)
 
     def bound_keys(self, target: Expr | None) -> Iterator[str]:
         """Yield the variables that an assignment to a target changes."""
@@ -228,6 +239,11 @@ class Outline:
         lets = [entry for entry in body if entry.kind == "let" and entry.target == Name(effect.key)]
         fixed = all(isinstance(entry.value, Text) and ("*" in entry.type or entry.type == "auto") for entry in lets)
         return effect.kind == "handed" and bool(lets) and fixed
+
+
+def _is_given(call: Call, func: Func) -> bool:
+    """Whether a function is an argument of a call."""
+    return any(function_named(arg) == func.fact.name for arg in call.args)
 
 
 def _given_away(expr: Expr | None) -> Iterator[Expr]:

@@ -48,6 +48,7 @@ from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
 from ecm_extract.link.running.lasting import LastingVariables
 from ecm_extract.link.running.lasting_states import LastingStates
+from ecm_extract.link.running.lent import Lent
 from ecm_extract.link.running.method_effects import MethodEffects
 from ecm_extract.link.running.object_fields import ObjectFields
 from ecm_extract.link.running.object_states import ObjectStates
@@ -127,6 +128,7 @@ class Folder:
         self.outside = OutsideVariables(self)
         self.lasting = LastingVariables(self)
         self.lasting_states = LastingStates(self)
+        self.lent = Lent(self)
         self.methods = MethodEffects(self)
         self.scope.ways = self.flow.ways
 

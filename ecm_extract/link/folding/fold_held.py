@@ -129,6 +129,9 @@ class HeldFolder:
 
     def given(self, key: str, env: Env, first: bool = True) -> tuple[Value, ...]:
         """Return what a variable is that the function did not give anything, `first`: yet."""
+        around = self.folder.lent.around(key, env) if key.startswith("^") else None
+        if around is not None:
+            return self.folder.fold(around[0], around[1].deeper(env.depth + 1))
         entry = env.entry()
         name = key.rpartition(".")[2]
         if "." not in key:
@@ -179,6 +182,9 @@ class HeldFolder:
             return None
         if self.folder.lasting.named(held.name, env.func) is not None:
             return self.folder.lasting_states.left(held, env)
+        lent = self.folder.lent.left(held, env)
+        if lent is not None:
+            return lent
         inner = self.folder.methods.begun(invocation_of(held.expr, env), env)
         run = self.folder.flow.run(inner) if inner is not None else None
         if inner is None or run is None or run.end is None:
@@ -306,6 +312,9 @@ class HeldFolder:
         entered = self._entered(held, env)
         if entered is not None:
             return self.items(entered, env)
+        around = self.folder.lent.around(held.name, env)
+        if around is not None:
+            return self.folder.lists.items(around[0], around[1].deeper(env.depth + 1))
         return self.folder.lists.given(held.name, env, held.how == "given")
 
     def items_of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[Bound] | None:
@@ -327,7 +336,7 @@ class HeldFolder:
 
 
 def _label(key: str) -> str:
-    return key.rpartition(".")[2] or "value"
+    return key.rpartition(".")[2].lstrip("^") or "value"
 
 
 def _statement(held: Held) -> Statement | None:

@@ -114,7 +114,8 @@ class ReturnFolder:
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""
         handed = self.closures.function(call, env)
-        outer = env if self.folder.nesting.enclosing(callee) is env.func else handed[1] if handed is not None else None
+        lent = self.folder.lent.place(callee, handed[1], env) if handed is not None else None
+        outer = env if self.folder.nesting.enclosing(callee) is env.func else lent
         led = self.folder.lasting_states.led(callee, call, env)
         if callee.cls is None and "lambda" not in callee.fact.traits:
             return Env(callee, 0, args, depth=env.depth + 1, outer=outer, call=led)

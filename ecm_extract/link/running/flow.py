@@ -30,6 +30,7 @@ from ecm_extract.link.running.truths import Truths
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
     from ecm_extract.link.running.lasting_states import LastingStates
+    from ecm_extract.link.running.lent import Lent
 
 MAX_WITHIN = 100
 """Runs that one run leads to, directly or through others."""
@@ -65,6 +66,15 @@ class Flow:
     def lasting(self) -> LastingStates:
         """Who follows variables that outlive a call."""
         return self.folder.lasting_states
+
+    @property
+    def lent(self) -> Lent:
+        """Who follows what functions change which are handed to others."""
+        return self.folder.lent
+
+    def is_lent(self, call: Call, func: Func, index: int) -> bool:
+        """Tell whether a function of the tree does nothing with an argument of a call in another one but call it."""
+        return self.folder.lent.is_lent(call, func, index)
 
     @property
     def running(self) -> Collection[Func]:
