@@ -13,7 +13,7 @@ from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
 from ecm_extract.infer.inner import function_named, only_called
-from ecm_extract.infer.places import own_names, target_of
+from ecm_extract.infer.places import caught_names, own_names, target_of
 from ecm_extract.infer.raising import may_raise
 from ecm_extract.infer.raising_calls import unpacks
 from ecm_extract.infer.unpacking import unstarred
@@ -52,7 +52,8 @@ class Outline:
     @cached_property
     def changes(self) -> Mapping[str, int]:
         """Variable -> how many times the body changes it."""
-        return Counter(key for keys in self._changed for key in keys) + Counter(self.escaped)
+        changed = Counter(key for keys in self._changed for key in keys) + Counter(self.escaped)
+        return changed + Counter(caught_names(self.block)) if self.python else changed
 
     @cached_property
     def given(self) -> Set[str]:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Set
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Function, Statement
+from ecm_parsers.source.flow import Attempt, Block, blocks
 
 from ecm_extract.infer.unpacking import unstarred
 
@@ -19,7 +20,18 @@ def own_names(function: Function, python: bool) -> frozenset[str]:
     for statement in function.body:
         if statement.kind in {"let", "each"} or (python and statement.kind == "set"):
             names.update(_bound(statement.target))
+    names.update(caught_names(function.flow) if python else ())
     return frozenset(names - set(function.shared))
+
+
+def caught_names(block: Block) -> Iterator[str]:
+    """Yield the variables that handlers have exceptions in, once for each handler."""
+    for step in block:
+        if isinstance(step, Attempt):
+            yield from (handler.name for handler in step.handlers if handler.name)
+        if not isinstance(step, int):
+            for inner in blocks(step):
+                yield from caught_names(inner)
 
 
 def _bound(target: Expr | None) -> Iterator[str]:

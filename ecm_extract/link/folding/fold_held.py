@@ -52,6 +52,7 @@ class HeldFolder:
             "stored": self._stored,
             "out": self._written,
             "after": self._after,
+            "caught": lambda held, env: self.folder.messages.of(held, env),
             "entered": lambda held, env: self.of([held.before], env),
         }
 
