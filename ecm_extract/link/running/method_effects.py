@@ -119,6 +119,7 @@ class MethodEffects:
     def _members(self, func: Func, this: Cls | None) -> Set[str] | None:
         asked = (func, this)
         if asked not in self._known:
+            self._known[asked] = None  # who asks in a circle does not know
             self._known[asked] = self._reached(func, this)
         return self._known[asked]
 
