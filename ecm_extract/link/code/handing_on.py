@@ -42,7 +42,7 @@ class _Given:
             return True
         if isinstance(expr, Member) and expr.base == THIS:
             return self.is_method(expr.name)
-        if isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.base == THIS:
+        if isinstance(expr, Call) and isinstance(expr.callee, Member) and _is_own(expr.callee.base):
             return self._hands_on(expr)
         return any(map(self.gives, children(expr)))
 
@@ -54,10 +54,15 @@ class _Given:
         callee = call.callee
         if isinstance(callee, Name) and self.is_method(callee.id):
             return True  # in C++ one of the object at hand
-        if isinstance(callee, Member) and callee.base == THIS:
+        if isinstance(callee, Member) and _is_own(callee.base):
             return self.is_method(callee.name) or self._hands_on(call)
         root = callee
         while isinstance(root, Member):
             root = root.base
         part = root == THIS and isinstance(callee, Member) and self.changes(callee.name)
         return part or self._hands_on(call)
+
+
+def _is_own(expr: Expr) -> bool:
+    """Whether a method is called on the object at hand, as one of its base too: `super(Arm, self).name()`."""
+    return expr == THIS or (isinstance(expr, Call) and expr.callee == Name("super"))
