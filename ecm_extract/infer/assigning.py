@@ -138,9 +138,12 @@ class Assigning:
         return self.memory.lost(state, {self.frame.effects.root(part) for part in within} - {""})
 
     def _after_rebinding(self, key: str, state: State) -> State:
-        """In C++ a reference that is assigned writes through, and references to what is assigned see it."""
+        """In C++ a reference that is assigned writes through, and references to what is assigned see it.
+
+        A field of Python is one of all names of its object.
+        """
         if self.frame.python:
-            return state
+            return self.memory.in_part(key, state.holds[key][0], state) if "." in key else state
         same = self.memory.sharing.names_of(key)
         touched = self.memory.sharing.touched(same, state)
         for whole in wholes(key):

@@ -59,6 +59,13 @@ class Effect:
     name: str = ""
 
 
+class Lending(Protocol):
+    """Who knows which functions are handed to those that only call them."""
+
+    def is_lent(self, call: Call, func: Func, index: int) -> bool:
+        """Tell whether a function of the tree does nothing with an argument of a call in another one but call it."""
+
+
 class Targets(Protocol):
     """Who knows which function of the tree a call means."""
 
@@ -77,8 +84,9 @@ class Targets(Protocol):
     def shown_part(self, call: Call, func: Func) -> Expr | None:
         """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
 
-    def is_lent(self, call: Call, func: Func, index: int) -> bool:
-        """Tell whether a function of the tree does nothing with an argument of a call in another one but call it."""
+    @property
+    def lent(self) -> Lending:
+        """Who knows which functions are handed to those that only call them."""
 
     @property
     def exceptions(self) -> Exceptions:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
 
-from ecm_extract.infer.effects import Targets
+from ecm_extract.infer.effects import Lending, Targets
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.routes import Fork, Verdict
@@ -30,7 +30,7 @@ class Lasting(Protocol):
         """Return what one holds when a function begins; None of other variables, and where that is not known."""
 
 
-class Lent(Protocol):
+class Lent(Lending, Protocol):
     """Who follows what functions change which are handed to the one at hand."""
 
     def keys(self, env: Env, at: int) -> Set[str]:

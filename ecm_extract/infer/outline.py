@@ -116,7 +116,7 @@ class Outline:
     def _lends(self, call: Call, index: int) -> bool:
         """Whether an argument is a function that is declared here, which the function that gets it only calls."""
         own = any(function_named(call.args[index]) == func.fact.name for func in self.inner)
-        return own and self.effects.targets.is_lent(call, self.func, index)
+        return own and self.effects.targets.lent.is_lent(call, self.func, index)
 
     def _are_followed(self, func: Func, keys: Set[str]) -> bool:
         """Whether what a function within it changes are variables that nobody hands to it as well, by reference."""

@@ -65,12 +65,15 @@ class _Reaching:
     def gives(self, name: str, statement: Statement) -> bool:
         """Tell whether a statement does anything else with a pointer than to reach into what it points to."""
         made = isinstance(statement.value, Call) and bool(pointed(statement.value))
-        copied = statement.value in map(Name, self.names)
+        copied = self._is_one(statement.value)
         if statement.target == Name(name):
             return statement.kind != "let" or not (made or copied)
-        if copied and statement.target in map(Name, self.names):
+        if copied and self._is_one(statement.target):
             return False
         return self._gives(name, statement)
+
+    def _is_one(self, expr: Expr | None) -> bool:
+        return isinstance(expr, Name) and expr.id in self.names
 
     def _gives(self, name: str, statement: Statement) -> bool:
         refers = statement.kind in {"let", "each"} and statement.type.endswith(("&", "*"))

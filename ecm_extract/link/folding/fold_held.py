@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call, Member
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.compute import UNKNOWN
+from ecm_extract.infer.compute import with_character
 from ecm_extract.infer.held import Held, How, all_ways
 from ecm_extract.link.code.containers import begins_empty
 from ecm_extract.link.code.named_alike import is_name_of_node
@@ -227,7 +227,7 @@ class HeldFolder:
         if env.func.file.language == "python" or held.expr is None:
             return (unknown(_label(held.name)),)
         options = [self._before(held, env), self.folder.fold(held.expr, env), self.folder.fold(held.more, env)]
-        return self.folder.combined(options, _with_character, _label(held.name))
+        return self.folder.combined(options, with_character, _label(held.name))
 
     def _handed(self, held: Held, env: Env, python: bool) -> tuple[Value, ...]:
         """Whoever gets a text in Python cannot change it; in C++ somebody outside the tree may, or may fill it."""
@@ -343,10 +343,3 @@ def _label(key: str) -> str:
 def _statement(held: Held) -> Statement | None:
     body = held.env.func.fact.body if held.env is not None else ()
     return body[held.at] if 0 <= held.at < len(body) else None
-
-
-def _with_character(data: list[object]) -> object:
-    text, index, char = data
-    if not isinstance(text, str) or not isinstance(index, int) or not isinstance(char, str):
-        return UNKNOWN
-    return text[:index] + char + text[index + 1 :] if len(char) == 1 and 0 <= index < len(text) else UNKNOWN

@@ -81,7 +81,9 @@ class ListChanges:
     def ordered_by(self, items: list[Bound], keys: Sequence[Bound]) -> list[Bound] | None:
         """Return elements in the order of other ones, where each of these is known."""
         values = [self.folder.lists.fold(key, key.env) for key in keys]
-        if len(keys) != len(items) or any(len(found) != 1 or not is_proved(found[0]) or data_in(found[0]) is UNKNOWN for found in values):
+        if len(keys) != len(items) or any(
+            len(found) != 1 or not is_proved(found[0]) or data_in(found[0]) is UNKNOWN for found in values
+        ):
             return None
         data = [data_in(found[0]) for found in values]
         if len({type(entry) for entry in data}) > 1:

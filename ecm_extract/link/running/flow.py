@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections import defaultdict
 from collections.abc import Collection, Hashable, Mapping, Sequence, Set
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Name
+from ecm_parsers.source.expr import Call, Expr
 
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
@@ -17,13 +16,13 @@ from ecm_extract.infer.places import as_written
 from ecm_extract.infer.routes import Fork, Verdict
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.naming_calls import leaves_arguments
-from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.decisions import Decisions
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.exceptions import Exceptions
 from ecm_extract.link.running.own_calls import OwnCalls
+from ecm_extract.link.running.parameter_reads import read_into
 from ecm_extract.link.running.run_keys import RunKeys
 from ecm_extract.link.running.truths import Truths
 
@@ -71,10 +70,6 @@ class Flow:
     def lent(self) -> Lent:
         """Who follows what functions change which are handed to others."""
         return self.folder.lent
-
-    def is_lent(self, call: Call, func: Func, index: int) -> bool:
-        """Tell whether a function of the tree does nothing with an argument of a call in another one but call it."""
-        return self.folder.lent.is_lent(call, func, index)
 
     @property
     def running(self) -> Collection[Func]:
@@ -280,12 +275,7 @@ class Flow:
 
     def target(self, call: Call, func: Func, at: int) -> Func | None:
         """Return the function with a body that a call in a statement of a function means."""
-        env = Env(func, at, this=func.cls)
-        made = pointed(call)
-        if made:
-            cls = self.folder.objects.class_written(made, env)
-            return self.folder.objects.constructor(cls, len(call.args)) if cls is not None else None
-        return self.folder.objects.callee(invocation_of(call, env), env)
+        return self.folder.objects.run_by(call, Env(func, at, this=func.cls))
 
     def shown_part(self, call: Call, func: Func) -> Expr | None:
         """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
@@ -351,12 +341,7 @@ class Flow:
 
     def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
         """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
-        found: dict[int, list[tuple[Expr, Expr, Expr | None]]] = defaultdict(list)
-        for target, entries in self.folder.reads.all_written(func).items():
-            for at, name, default in entries:
-                if not target.startswith("."):
-                    found[at].append((Name(target), name, default))
-        return found
+        return read_into(self.folder.reads.all_written(func))
 
     def settle(self, held: Held) -> None:
         """Evaluate now, so that a long chain of changes needs no deep recursion later."""

@@ -60,7 +60,9 @@ class Lent:
     def keys(self, env: Env, at: int) -> Set[str]:
         """Return the variables, by key, that a statement changes by calling what its function was lent."""
         lent = self._closures(env)
-        return frozenset(key for _, name in self._calls(env, at, lent) for key in lent[name][1]) if lent else frozenset()
+        return (
+            frozenset(key for _, name in self._calls(env, at, lent) for key in lent[name][1]) if lent else frozenset()
+        )
 
     def changed(self, env: Env, state: State) -> Mapping[str, tuple[Held, ...]]:
         """Return what such calls of a statement leave these variables with, by key."""

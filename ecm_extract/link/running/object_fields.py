@@ -1,4 +1,4 @@
-"""Fields that others than methods of an object give something: methods find them as the callers of the methods left them.
+"""Fields that others than methods of an object give something: methods find them as their callers left them.
 
 `topic.name = "a"; topic.full();` reads in `full` what stands in `topic.name` where that is called.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.handing_on import THIS

@@ -83,7 +83,7 @@ class ObjectStates:
         made = env.made is not None and env.made.maker is not None
         if self.folder.shifting.member(name, cls) or self.folder.object_fields.is_given(name, cls):
             return True
-        return (not made and self.folder.shifting.is_passed(name, cls))
+        return not made and self.folder.shifting.is_passed(name, cls)
 
     def _entered(self, key: str, env: Env) -> Held | None:
         if self.callers.may_be_written_outside(key[1:], env.func) and not self.folder.object_fields.is_known(env):

@@ -53,7 +53,13 @@ class PartObjects:
             return None
         derived = (method for entry in self.folder.program.derived(cls) for method in entry.methods)
         given = callee.fact.body[0].value
-        own = given.name if isinstance(given, Member) and given.base == THIS else given.id if isinstance(given, Name) else ""
+        own = (
+            given.name
+            if isinstance(given, Member) and given.base == THIS
+            else given.id
+            if isinstance(given, Name)
+            else ""
+        )
         alone = own in cls.fields and not any(method.fact.name == callee.fact.name for method in derived)
         return Member(call.callee.base, own) if alone else None
 

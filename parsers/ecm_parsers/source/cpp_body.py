@@ -10,7 +10,13 @@ from ecm_parsers.source.cpp_binding import Binding
 from ecm_parsers.source.cpp_captures import capturing, initial_captures
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
-from ecm_parsers.source.cpp_lambdas import DeclaredFunctions, changes_copies, lambda_parameters, only_expression, place_name
+from ecm_parsers.source.cpp_lambdas import (
+    DeclaredFunctions,
+    as_function,
+    changes_copies,
+    lambda_parameters,
+    place_name,
+)
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_raising import type_thrown, types_caught
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of, otherwise
@@ -34,7 +40,7 @@ class BodyReader:
 
     Attributes:
         writer: what was read so far, in source order, and how it follows each other.
-        functions: lambdas bound to a name, called, or handed to functions of the file; read as functions of their own.
+        functions: lambdas that are read as functions of their own.
         declared: the functions of the file.
         local_names: `using A = B`, `using namespace a` and the like; whoever reads declarations reads them.
     """
@@ -260,9 +266,7 @@ class BodyReader:
         """Read a lambda that is handed to a function of the file as a function of that place; None of others."""
         if self.writer.lambdas or not self.declared.get(node):
             return None
-        made = self._lambda_function(place_name(node), node)
-        names = tuple([parameter.name for parameter in made.params])
-        return Lambda(lambda_types(self.expr, node), names, only_expression(made), made.name)
+        return as_function(lambda_types(self.expr, node), self._lambda_function(place_name(node), node))
 
     def _named_lambda(self, name: str, node: Node) -> None:
         self._lambda_function(name, node)

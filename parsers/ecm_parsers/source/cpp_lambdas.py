@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
-from ecm_parsers.source.expr import Call, Expr
+from ecm_parsers.source.expr import Call, Expr, Lambda
 from ecm_parsers.source.facts import Function, Parameter
 
 if TYPE_CHECKING:
@@ -94,8 +94,13 @@ def _is_copied(capture: Node) -> bool:
     return capture.type != "lambda_capture_initializer" and before != "&"
 
 
-def only_expression(made: Function) -> Expr | None:
-    """Return what a lambda returns, or calls, that does nothing else; None of others."""
+def as_function(types: tuple[str, ...], made: Function) -> Lambda:
+    """Return the lambda, of parameters of some types, that is read as a function."""
+    return Lambda(types, tuple([parameter.name for parameter in made.params]), _only_expression(made), made.name)
+
+
+def _only_expression(made: Function) -> Expr | None:
+    """What a lambda returns, or calls, that does nothing else; None of others."""
     first = made.body[0] if len(made.body) == 1 else None
     plain = first is not None and (first.kind == "return" or (first.kind == "do" and isinstance(first.value, Call)))
     return first.value if first is not None and plain else None

@@ -17,7 +17,7 @@ from ecm_parsers.source.facts import Constant, Field
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Loop, Switch
 from ecm_parsers.source.python_expr import parts, salvage
 from ecm_parsers.source.python_literal import NULL, TRUE
-from ecm_parsers.source.python_raising import asserted, raised, name_caught, types_caught, types_suppressed
+from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught, types_suppressed
 from ecm_parsers.source.python_scan import Scan, StatementHandler
 
 _THIS = Name("this")
