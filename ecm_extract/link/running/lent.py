@@ -59,15 +59,13 @@ class Lent:
 
     def keys(self, env: Env, at: int) -> Set[str]:
         """Return the variables, by key, that a statement changes by calling what its function was lent."""
-        lent = self._closures(env)
-        return (
-            frozenset(key for _, name in self._calls(env, at, lent) for key in lent[name][1]) if lent else frozenset()
-        )
+        lent = self._closures(env) if any(self._calls(env, at, env.args)) else {}
+        return frozenset(key for _, name in self._calls(env, at, lent) for key in lent[name][1])
 
     def changed(self, env: Env, state: State) -> Mapping[str, tuple[Held, ...]]:
         """Return what such calls of a statement leave these variables with, by key."""
-        lent = self._closures(env)
-        calls = list(self._calls(env, env.at, lent)) if lent else []
+        lent = self._closures(env) if any(self._calls(env, env.at, env.args)) else {}
+        calls = list(self._calls(env, env.at, lent))
         perhaps = set(perhaps_called(env.func.fact.body[env.at].value)) if calls else set()
         found: dict[str, tuple[Held, ...]] = {}
         for call, name in calls:
