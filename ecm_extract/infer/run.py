@@ -27,10 +27,14 @@ MAX_STEPS = 4_000
 
 
 class Raised(NamedTuple):
-    """A state in which something raises, and what: by type, or by the statement; None where that is not known."""
+    """A state in which something raises, and what: by type, or by the statement; None where that is not known.
+
+    `made` is the exception, as a variable holds it; None where nothing tells how it was made.
+    """
 
     state: State
     what: Kind | Raising | None
+    made: Held | None = None
 
 
 @dataclass(slots=True, eq=False)

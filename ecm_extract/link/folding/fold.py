@@ -38,6 +38,7 @@ from ecm_extract.link.folding.fold_streams import StreamFolder
 from ecm_extract.link.folding.fold_tables import TableFolder
 from ecm_extract.link.folding.fold_texts import TextFolder
 from ecm_extract.link.folding.list_changes import ListChanges
+from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.optionals import OptionalFolder
 from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.steps import Steps
@@ -49,8 +50,10 @@ from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
 from ecm_extract.link.running.lasting import LastingVariables
 from ecm_extract.link.running.lasting_states import LastingStates
+from ecm_extract.link.running.lent import Lent
 from ecm_extract.link.running.method_effects import MethodEffects
 from ecm_extract.link.running.object_makers import ObjectMakers
+from ecm_extract.link.running.object_fields import ObjectFields
 from ecm_extract.link.running.object_states import ObjectStates
 from ecm_extract.link.running.objects import Objects
 from ecm_extract.link.running.origins import Origins
@@ -112,6 +115,7 @@ class Folder:
         self.operators = OperatorFolder(self)
         self.streams = StreamFolder(self)
         self.held = HeldFolder(self)
+        self.messages = MessageFolder(self)
         self.cuts = self.cycles = 0
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
         self._active: set[Hashable] = set()
@@ -128,11 +132,13 @@ class Folder:
         self.parts = PartObjects(self)
         self.makers = ObjectMakers(self)
         self.given_fields = GivenFields(self)
+        self.object_fields = ObjectFields(self)
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)
         self.outside = OutsideVariables(self)
         self.lasting = LastingVariables(self)
         self.lasting_states = LastingStates(self)
+        self.lent = Lent(self)
         self.methods = MethodEffects(self)
         self.scope.ways = self.flow.ways
 

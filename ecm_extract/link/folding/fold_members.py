@@ -50,6 +50,8 @@ class MemberFolder:
 
     def member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`this->x`, `params_.x`, `module.CONSTANT`, `object.field`."""
+        reached = self.folder.flow.effects(env.func).reached(expr)
+        expr = reached if isinstance(reached, Member) else expr
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.of(ways, env)

@@ -11,11 +11,11 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.code.overloads import NO, score
-from ecm_extract.link.code.pointed import pointed
+from ecm_extract.link.code.pointed import pointed as pointed_class
 from ecm_extract.link.code.spelling import last_name, plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
-from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, bind
+from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, bind, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
 from ecm_extract.link.running.scope import Scope
 
@@ -113,8 +113,8 @@ class Objects:
     def _made_type(self, expr: Call, env: Env) -> str:
         if isinstance(expr.callee, Name):
             last = expr.callee.id.rsplit("::", 1)[-1]
-            if pointed(expr):
-                return pointed(expr)
+            if pointed_class(expr):
+                return pointed_class(expr)
             if last in {"dynamic_pointer_cast", "static_pointer_cast"} and expr.types:
                 return expr.types[0]
             if last in HANDLES_OF_NODELETS:
@@ -247,6 +247,14 @@ class Objects:
         return min(defined, key=lambda f: abs(len(f.params) - count), default=None)
 
     # --- functions -------------------------------------------------------------------------------------
+
+    def run_by(self, call: Call, env: Env) -> Func | None:
+        """Return the function with a body that a call means, or the constructor of what it makes behind a pointer."""
+        made = pointed_class(call)
+        cls = self.class_written(made, env) if made else None
+        if made:
+            return self.constructor(cls, len(call.args)) if cls is not None else None
+        return self.callee(invocation_of(call, env), env)
 
     def callee(self, call: Invocation, env: Env) -> Func | None:
         """Return the function in the tree that a call means, with a body; of several that it can mean one."""
