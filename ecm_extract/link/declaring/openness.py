@@ -44,7 +44,7 @@ class Openness:
             params |= found.open
             made |= found.open
         made |= self._redefined(site, names)
-        for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_qos(site), _is_qos)):
+        for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_whole(_qos(site)), _is_qos)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
         return params, made
@@ -142,6 +142,13 @@ def _names(expr: Expr | None) -> Iterator[str]:
 
 def _qos(site: Site) -> Expr | None:
     return next(positions(site.form.qos, site.call), None) if not site.form.fixed else None
+
+
+def _whole(expr: Expr | None) -> Expr | None:
+    """The variable, or the member of the object at hand, that a profile is a field of; itself where it is none."""
+    while isinstance(expr, Member) and expr.base != Name("this"):
+        expr = expr.base
+    return expr
 
 
 def _is_handle(name: str, func: Func) -> bool:

@@ -203,10 +203,10 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        return alternatives((*values, unknown(name))) if self._is_given(name, cls) else values
+        return alternatives((*values, unknown(name))) if self.is_given(name, cls) else values
 
-    def _is_given(self, name: str, cls: Cls) -> bool:
-        """Whether others than the methods of a class give a member of some object of it something."""
+    def is_given(self, name: str, cls: Cls) -> bool:
+        """Tell whether others than the methods of a class give a member of some object of it something."""
         if cls.file.language == "python":
             return bool(self.folder.scope.assigned_outside(name, "python"))
         return self.folder.given_fields.is_given(name, cls)

@@ -118,11 +118,16 @@ class StructureFolder:
 
     def handed_on(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return a field of an object that is handed on, or copied: what it was there; empty of others."""
+        handed = self.handed(expr, env)
+        values = self.folder.fold(handed.expr, handed.env.deeper(env.depth + 1)) if handed is not None else ()
+        return demoted(values) if any(value.confidence != "pattern" for value in values) else ()
+
+    def handed(self, expr: Member, env: Env) -> Bound | None:
+        """Return the field of the object that is handed on, or copied, and that nobody may have changed since."""
         copied = self._copied(expr.base, env)
         if copied is None or self._is_touched(copied.expr, copied.env) or self._is_reached_into(expr, env):
-            return ()
-        values = self.folder.fold(Member(copied.expr, expr.name), copied.env.deeper(env.depth + 1))
-        return demoted(values) if any(value.confidence != "pattern" for value in values) else ()
+            return None
+        return Bound(Member(copied.expr, expr.name), copied.env)
 
     def _is_touched(self, expr: Expr, env: Env) -> bool:
         """Tell whether somebody whose body is not seen, or who is not followed, may have changed an object."""
