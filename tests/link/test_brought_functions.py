@@ -41,4 +41,3 @@ def test_a_method_hides_what_using_brings(workspace: Any) -> None:
     beside = f"template<class N, class V> void {SHORT}(N node, const std::string & name, V value);"
     text = DECLARED.format(above=WAYS[0][0], within="", called=SHORT, beside=beside)
     assert workspace.package({"src/a.cpp": text}).interfaces() == []
-

@@ -46,6 +46,45 @@ def test_a_profile_of_a_node_that_is_handed_on(
     assert (qos.reliability, qos.depth) == expected
 
 
+KEPT = """
+class Part:
+    def __init__(self, node):
+        self._node = node
+        self.open()
+    def open(self):
+        self._node.create_publisher(String, {name}, self._node.kept)
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [("'chatter'", "/chatter"), ("self._node.topic", "/own"), ("f'{self._node.topic}/x'", "/own/x")],
+)
+def test_what_a_part_reads_of_the_node_that_it_keeps(workspace: Any, name: str, expected: str) -> None:
+    """A part keeps the node and asks it for names and profiles, in whatever method."""
+    head, _, rest = PYTHON.format(before="self.topic = 'own'", after="pass").partition("class Part:")
+    demo = rest[rest.index("class Demo") :]
+    workspace.package({"pkg/demo.py": f"{head}{KEPT.format(name=name)}{demo}"})
+    entry = workspace.only("publisher")
+    assert (entry.name, entry.qos.reliability, entry.qos.depth) == (expected, *SENSOR)
+
+
+@pytest.mark.parametrize(
+    ("after", "further"),
+    [
+        ("self.topic, self.kept = 'other', 4", ""),
+        ("pass", "def change(node):\n    node.topic = found()\n    node.kept = found()\n"),
+    ],
+)
+def test_a_node_that_changes_is_not_what_it_was_when_it_was_kept(workspace: Any, after: str, further: str) -> None:
+    """What is given something again, by itself or by others, is not told where a later method asks for it."""
+    head, _, rest = PYTHON.format(before="self.topic = 'own'", after=after).partition("class Part:")
+    part = KEPT.format(name="self._node.topic").replace("self.open()", "pass")
+    workspace.package({"pkg/demo.py": f"{head}{part}{rest[rest.index('class Demo') :]}{further}"})
+    entry = workspace.only("publisher")
+    assert (entry.name, entry.qos.reliability, entry.qos.depth) == ("/{topic}", *OPEN)
+
+
 CPP = """
 #include <rclcpp/rclcpp.hpp>
 struct Settings {{

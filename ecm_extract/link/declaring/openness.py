@@ -103,18 +103,20 @@ class Openness:
         place = self.folder.names.captured_at(name, env) if name else None
         if place is not None:
             return [(expr, place)]
-        return self._initialisers(name, env) if name and not self._accepted(expr, env, accepts) else ()
+        if expr is None or not name or self._accepted(expr, env, accepts):
+            return ()
+        return self._initialisers(expr, env)
 
-    def _initialisers(self, name: str, env: Env) -> Iterator[tuple[Expr | None, Env]]:
+    def _initialisers(self, variable: Expr, env: Env) -> Iterator[tuple[Expr | None, Env]]:
         """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
-        for made in self.folder.origins.makers(Name(name), env) or ():
+        for made in self.folder.origins.makers(variable, env) or ():
             body = made.env.func.fact.body
             statement = body[made.env.at] if 0 <= made.env.at < len(body) else None
             outer = _below(statement) if statement is not None else None
             if outer is not None:
                 yield outer, made.env
             elif statement is not None and statement.kind in _INITIALISING and made.env.func.is_constructor:
-                yield _parent(made.expr, name), made.env
+                yield _parent(made.expr, _variable(variable)), made.env
 
 
 def _parent(expr: Expr, member: str) -> Expr:

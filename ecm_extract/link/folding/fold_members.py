@@ -89,8 +89,9 @@ class MemberFolder:
         return self.folder.names.of_message(plain(pointee(written)), expr.name, env) if written else ()
 
     def _of_given(self, expr: Member, env: Env) -> tuple[Value, ...]:
-        """A part of what callers pass, of which Python need not say the type."""
-        if env.func.file.language != "python" or not isinstance(expr.base, Name):
+        """A part of what callers, or the makers of the object, pass, of which Python need not say the type."""
+        own = isinstance(expr.base, Member) and expr.base.base == Name("this")
+        if env.func.file.language != "python" or not (own or isinstance(expr.base, Name)):
             return ()
         return next(filter(None, (_taken_of(value, expr.name) for value in self.folder.fold(expr.base, env))), ())
 
