@@ -71,3 +71,33 @@ def test_arguments_can_keep_a_call_between_from_being_reached(workspace: Any, wa
     """What the outermost call hands in decides about calls between, too."""
     workspace.package({"src/demo.cpp": ASKED.replace("WANTED", wanted)})
     assert [one.name for one in workspace.interfaces()] == found
+
+
+NESTED = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Bool, String
+class Demo(Node):
+    def __init__(self, wheels):
+        super().__init__('demo')
+        last = 'first'
+        for wheel in wheels:
+            for kind, label in ((String, 'text'), (Bool, 'flag')):
+                self.create_publisher(kind, f'{wheel}/{label}', 10)
+            self.create_publisher(String, last, 10)
+            last = 'next'
+def main():
+    rclpy.init()
+    rclpy.spin(Demo(found()))
+"""
+
+
+def test_a_table_within_a_loop_over_what_is_not_known(workspace: Any) -> None:
+    """Rounds of a loop over what is written out are told apart, though one around it stands for any number."""
+    workspace.package({"pkg/demo.py": NESTED})
+    assert [(one.name, one.type) for one in workspace.interfaces()] == [
+        ("/first", "std_msgs/msg/String"),
+        ("/next", "std_msgs/msg/String"),
+        ("/{item}/flag", "std_msgs/msg/Bool"),
+        ("/{item}/text", "std_msgs/msg/String"),
+    ]
