@@ -80,7 +80,7 @@ Fork: TypeAlias = Gate | Raising | Fitting
 """What decides which way a run takes."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True, eq=False)
 class Route:
     """How a place is reached; each is itself only.
 
@@ -89,20 +89,24 @@ class Route:
         gate: what decides whether it is taken from there; None where several meet.
         holds: the side of it.
         depth: how many branches lie behind it since routes met, or the function began.
+        live: whether a run may come here, once that is decided for good.
+        likely: whether one does as long as nobody sets a parameter, likewise.
     """
 
     before: tuple[Route, ...] = ()
     gate: Fork | None = None
     holds: bool = True
     depth: int = 0
+    live: bool | None = None
+    likely: bool | None = None
 
     def through(self, gate: Fork, holds: bool) -> Route:
         """The route on one side of a branch."""
         return Route((self,), gate, holds, depth=self.depth + 1)
 
 
-START: Final = Route()
-NOWHERE: Final = Route()
+START: Final = Route(live=True, likely=True)
+NOWHERE: Final = Route(live=False, likely=False)
 """The route to code that no run reaches."""
 
 

@@ -48,7 +48,8 @@ UNSEEN = ("unknown", "unknown", "unknown", None)
 CPP_UNSEEN = [
     ("", "profile_from(somewhere)", UNSEEN),
     ("", "given_qos", UNSEEN),
-    ("", "rclcpp::QoS(queue_size)", ("reliable", "volatile", "keep_last", None)),
+    ("", "rclcpp::QoS(queue_size)", UNSEEN),
+    ("std::size_t given = count();", "rclcpp::QoS(given)", ("reliable", "volatile", "keep_last", None)),
     ('auto n = declare_parameter("n", 4);', "n", ("reliable", "volatile", "keep_last", 4)),
     ("", "rclcpp::QoS(2).reliability(level)", ("unknown", "volatile", "keep_last", 2)),
     ("", "rclcpp::QoS(2).keep_last(count)", ("reliable", "volatile", "keep_last", None)),

@@ -10,6 +10,8 @@ from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Func
 
 _NUMERIC = frozenset({"int", "double", "float", "bool", "unsigned", "long", "short", "char", "size_t"})
+_OF_NUMBERS = frozenset({"QoS"})
+"""Library classes that a number is converted to, and no function: rclcpp/qos.hpp, `QoS(size_t history_depth)`."""
 NO = -1
 
 
@@ -54,6 +56,8 @@ def _fit(arg: Expr, parameter: Parameter, caller: Func, func: Func) -> int:
     if not wanted or wanted in func.fact.template or wanted == "auto":
         return 0
     last = wanted.rsplit("::", 1)[-1]
+    if last in _OF_NUMBERS and isinstance(arg, Number | Lambda | Text):
+        return 1 if isinstance(arg, Number) else NO
     if isinstance(arg, Text):
         return _text_fit(last)
     if isinstance(arg, Number) or (isinstance(arg, Constant) and arg.name != "null"):

@@ -24,6 +24,8 @@ from ecm_parsers.source.expr import (
 )
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.link.code.spelling import last_name
+
 MAX_NODES = 5_000
 
 
@@ -51,6 +53,11 @@ def dotted(expr: Expr) -> str | None:
         parts.append(expr.name)
         expr = expr.base
     return ".".join([expr.id, *reversed(parts)]) if type(expr) is Name else None
+
+
+def last_of(expr: Expr | None) -> str:
+    """Return the last part of what a name or a member is called, in either language; empty of anything else."""
+    return expr.name if isinstance(expr, Member) else last_name(expr.id) if isinstance(expr, Name) else ""
 
 
 def calls_in(expr: Expr | None) -> Sequence[Call]:

@@ -11,11 +11,11 @@ from typing import Literal, NamedTuple
 
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.local_name import Parts
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Items, Member
 
 from ecm_extract.link.code.calls import Invocation, invocations
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.code.walk import calls_in
+from ecm_extract.link.code.walk import calls_in, last_of
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.naming.local_names import parts_of
 from ecm_extract.link.running.env import Env, Instance
@@ -63,9 +63,9 @@ def _listed(func: Func, cls: Cls, folder: Folder) -> Iterator[tuple[Parts, int]]
         env = Env(func, at, this=cls, made=made)
         if statement.value is None:
             continue
-        if any(_last(part) == "ALL" for part in _names(statement.value)):
+        if any(last_of(part) == "ALL" for part in _names(statement.value)):
             yield ("*",), statement.line
-        if statement.kind == "set" and _last(statement.target) == "names":
+        if statement.kind == "set" and last_of(statement.target) == "names":
             yield from ((parts_of(value), statement.line) for value in folder.lists.elements(statement.value, env))
         elif statement.kind == "return" and _second(statement.value) is not None:
             values = folder.lists.elements(_second(statement.value), env)
@@ -106,8 +106,3 @@ def _names(expr: Expr) -> Iterator[Expr]:
     yield from (expr, *(expr.items if isinstance(expr, Items) else ()))
     for call in calls_in(expr):
         yield from call.args
-
-
-def _last(expr: Expr | None) -> str:
-    name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
-    return name.replace("::", ".").rsplit(".", 1)[-1]

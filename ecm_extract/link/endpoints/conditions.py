@@ -16,8 +16,8 @@ from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.choosing import asked_before
 from ecm_extract.link.code.expression_text import expression_text
 from ecm_extract.link.code.numbers import NUMBERS
-from ecm_extract.link.code.spelling import last_name, plain
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.walk import children, last_of
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import Value, is_proved, is_setting
@@ -124,7 +124,9 @@ class Conditions:
 
     def _says_something(self, test: Expr, env: Env) -> bool:
         """Whether a test is more than whether something is there already, or whether the program runs at all."""
-        if any(_last(call) in _names("asking") for call in _calls(test)) or _names("always") & _variables(test):
+        if any(last_of(call.callee) in _names("asking") for call in _calls(test)) or _names("always") & _variables(
+            test
+        ):
             return False
         if isinstance(test, Op) and test.op in _SAME and Constant("null") in test.operands:
             return False
@@ -136,13 +138,15 @@ class Conditions:
         asked = test.operands[0] if isinstance(test, Op) and test.op in _MORE else test
         held = self._held(asked, env)
         calls = _calls(held.expr if held is not None else asked)
-        publishers = [base for call in calls if _last(call) in _names("listeners") for base in _receivers(call)]
+        publishers = [
+            base for call in calls if last_of(call.callee) in _names("listeners") for base in _receivers(call)
+        ]
         return Condition("listeners", key_of(publishers[0])) if publishers else None
 
     def _of_parameter(self, test: Expr, env: Env) -> Condition | None:
         if isinstance(test, Op) and test.op in _SAME and len(test.operands) == 2:
             return self._compared(test, env)
-        if isinstance(test, Call) and _last(test) == "empty" and isinstance(test.callee, Member):
+        if isinstance(test, Call) and last_of(test.callee) == "empty" and isinstance(test.callee, Member):
             name = self._parameter(test.callee.base, env)
             return Condition("parameter", name, wanted="") if name else None
         name = self._parameter(test, env)
@@ -198,14 +202,9 @@ def _true(name: str, values: Sequence[Value]) -> Condition | None:
     return Condition("parameter", name, "", negated=True) if texts else Condition("parameter", name)
 
 
-def _last(call: Call) -> str:
-    callee = call.callee
-    return callee.name if isinstance(callee, Member) else last_name(callee.id) if isinstance(callee, Name) else ""
-
-
 def _writes(expr: Expr) -> bool:
     """Whether a read tells if the parameter is set, and gives its value to a variable: `getParam("x", x)`."""
-    return isinstance(expr, Call) and _last(expr) in _names("asking") and len(expr.args) > 1
+    return isinstance(expr, Call) and last_of(expr.callee) in _names("asking") and len(expr.args) > 1
 
 
 def _receivers(call: Call) -> tuple[Expr, ...]:

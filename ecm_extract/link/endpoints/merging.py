@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Collection, Iterable
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import msgspec
-from ecm_checker.contract import Evidence, Interface
+from ecm_checker.contract import Evidence, Interface, Qos
 from ecm_checker.hub.condition import Condition, text_of
+
+from ecm_extract.link.endpoints.qos_presets import UNSEEN
+
+_POLICIES: Final = tuple(name for name in Qos.__struct_fields__ if name != "defaulted")
 
 
 def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
@@ -86,7 +90,7 @@ def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...])
         name=first.name,
         raw_name=first.raw_name,
         type=first.type or second.type,
-        qos=first.qos or second.qos,
+        qos=(first.qos or second.qos) if first.row.transform else _in_common(first.qos, second.qos),
         frame=first.frame or second.frame,
         confidence=first.confidence,
         evidence=evidence,
@@ -94,6 +98,16 @@ def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...])
         inherited_from=first.inherited_from if second.inherited_from else None,
         when=_either(first.when, second.when),
     )
+
+
+def _in_common(one: Qos | None, other: Qos | None) -> Qos | None:
+    """What two profiles of one endpoint set alike; what they set differently is unknown."""
+    if one is None or other is None or one == other:
+        return one if one == other else None
+    policies = {key: getattr(one, key) for key in _POLICIES if getattr(one, key) == getattr(other, key)}
+    unseen = {key: value for key, value in UNSEEN.items() if key not in policies}
+    defaulted = tuple(key for key in one.defaulted if key in other.defaulted and key in policies)
+    return Qos(**{**unseen, **policies}, defaulted=defaulted)
 
 
 def _either(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> tuple[Condition, ...]:

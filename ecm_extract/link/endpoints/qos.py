@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import Any
 
 from ecm_checker.contract import Qos
-from ecm_checker.match.generated import snake
 from ecm_parsers.numbers import real, truncated
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
 
@@ -37,7 +36,6 @@ _POLICIES = ("reliability", "durability", "history", "liveliness")
 _TIMES = {"deadline": "deadline_ms", "lifespan": "lifespan_ms", "liveliness_lease_duration": "lease_ms"}
 _WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"})
 _BASIC = ("reliability", "durability", "history", "depth")
-_NUMBERS = frozenset({"depth", "queue", "size", "length", "buffer"})
 _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_namespace_conventions"}) | {
     "get_rmw_qos_profile",
     "value",
@@ -111,11 +109,8 @@ class QosReader:
         return known.get(values.pop(), expr.operands[1:]) if len(values) == 1 else expr.operands[1:]
 
     def _unseen(self, expr: Expr, env: Env) -> dict[str, Any]:
-        """A depth where the value is or looks like a number, else a profile of which nothing is known."""
-        name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
+        """A depth where the value is a number, else a profile of which nothing is known."""
         depth = self._depth_alone(expr, env)
-        if depth is None and _NUMBERS & set(snake(name).split("_")):
-            return {"history": "keep_last", "depth": None}
         return {**UNSEEN} if depth is None else depth
 
     def _depth_alone(self, expr: Expr, env: Env) -> dict[str, Any] | None:

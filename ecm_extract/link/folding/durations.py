@@ -7,17 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any
 
 from ecm_parsers.numbers import real
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.folding.data import UNKNOWN, data_of
+from ecm_extract.link.code.walk import last_of
+from ecm_extract.link.folding.data import data_of
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Env
-from ecm_extract.link.running.values import Value
 
 MAX_DEPTH = 8
 _SECONDS: Mapping[str, float] = MappingProxyType(
@@ -71,16 +70,11 @@ def counted(expr: Expr | None, env: Env, folder: Folder) -> int | float | None:
 
 def _in_unit(seconds: float, made: Call) -> int | float | None:
     """Seconds in the unit of a duration of chrono: a whole number but for `duration<double>`."""
-    name = _last(made)
+    name = last_of(made.callee)
     if name == "duration":
         return seconds if len(made.types) == 1 and made.types[0] in {"double", "float"} else None
     unit = _SECONDS.get(last_name(made.types[0]) if name == "duration_cast" and made.types else name)
     return None if unit is None else round(seconds / unit)
-
-
-def _last(call: Call) -> str:
-    callee = call.callee
-    return last_name(callee.id) if isinstance(callee, Name) else callee.name if isinstance(callee, Member) else ""
 
 
 def _seconds(expr: Expr, env: Env, folder: Folder, depth: int) -> float | None:
@@ -97,7 +91,7 @@ def _seconds(expr: Expr, env: Env, folder: Folder, depth: int) -> float | None:
 
 
 def _call(expr: Call, env: Env, folder: Folder, depth: int) -> float | None:
-    factor = _SECONDS.get(_last(expr))
+    factor = _SECONDS.get(last_of(expr.callee))
     if factor is None:
         return _period(expr, env, folder, depth) or _plain(expr, env, folder)
     total = 0.0
@@ -142,22 +136,7 @@ def _variable(expr: Name | Member, env: Env, folder: Folder, depth: int) -> floa
 
 def _plain(expr: Expr, env: Env, folder: Folder) -> float | None:
     value = data_of(expr, env, folder)
-    if value is UNKNOWN and all(folded.confidence == "pattern" for folded in folder.fold(expr, env)):
-        value = _declared(expr, env, folder)
     return real(str(value)) if isinstance(value, int | float | str) and not isinstance(value, bool) else None
-
-
-def _declared(expr: Expr, env: Env, folder: Folder) -> Any:
-    """A field of a parameter struct is called like its parameter: `params->rate` has the default of `rate`."""
-    if not isinstance(expr, Member):
-        return None
-    known = folder.reads.default(expr.name, env.func.file.package)
-    if known is None:
-        return None
-    if isinstance(known, Value):
-        return known.text if known.data is None else known.data
-    found = data_of(known[0], known[1], folder)
-    return None if found is UNKNOWN else found
 
 
 def _computed(operator: str, left: float, right: float) -> float | None:

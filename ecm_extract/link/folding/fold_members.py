@@ -117,6 +117,9 @@ class MemberFolder:
             return ()
         values = self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
         asked = _is_plain(cls) or any(value.confidence == "pattern" for value in values)
+        read = self.folder.given_fields.of_parameters(expr.name, cls, env) if asked else ()
+        if read:
+            return read
         given = self.folder.structures.given(expr.base, env) if asked else None
         if given is None or not values:
             return _taken_of(given, expr.name) if given is not None else values
@@ -138,9 +141,11 @@ class MemberFolder:
         return set_by(name, values)
 
     def _holds_parameters(self, node: Expr, env: Env) -> bool:
-        """Tell whether a variable is the struct of a listener: by its type, or by the call that gave it."""
+        """Tell whether a variable is the struct of a listener, which is generated: by its type, or what gave it."""
         root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
-        if self.folder.scope.declared_type(root, env).endswith("Params"):
+        if self.folder.objects.class_of(node, env) is not None:
+            return False
+        if plain(self.folder.scope.declared_type(root, env)).rpartition("::")[2] == "Params":
             return True
         given = (held.expr for held in self.folder.origins.of(node, env))
         called = (value.callee for value in given if isinstance(value, Call))

@@ -14,9 +14,8 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.calls import dotted_name
-from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import children, last_of
 from ecm_extract.link.index.program import Program
 
 MAX_HANDING_ON = 3
@@ -72,7 +71,7 @@ class Registered:
     def _note(self, func: Func, names: set[str], kept: Sequence[Kept]) -> None:
         if func.file.language != "python" or func in self._keepers:
             return
-        read = [(each, key) for each, key in _reads(func) if _last(each) in names]
+        read = [(each, key) for each, key in _reads(func) if last_of(each) in names]
         for expr, key in read:
             place = self._place(expr, func)
             for entry in kept:
@@ -197,10 +196,6 @@ def _parts(expr: Expr, whole: Expr | None) -> Iterable[Expr]:
     if whole is None:
         return children(expr)
     return children(whole) if isinstance(whole, Member | Op | Call) else ()
-
-
-def _last(expr: Expr) -> str:
-    return expr.name if isinstance(expr, Member) else last_name(expr.id) if isinstance(expr, Name) else ""
 
 
 def _through_own_class(expr: Expr, func: Func) -> Expr:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Set
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Constant, Expr, Member, Name, Number, Op, Text
-from ecm_parsers.source.flow import Block, Branch, Leave, Loop, Step, blocks, statements
+from ecm_parsers.source.flow import Block, Branch, Leave, Loop, Step, blocks, statements, steps
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
@@ -34,7 +34,7 @@ class DeadCode:
         """Tell whether it is proved that no run of a function gets to a statement."""
         known = self._dead.get(func)
         if known is None:
-            jumps = any(isinstance(step, Leave) and step.how == "goto" for step in _steps(func.fact.flow))
+            jumps = any(isinstance(step, Leave) and step.how == "goto" for step in steps(func.fact.flow))
             block = self.folder.flow.outline(func).block
             known = self._dead[func] = frozenset(() if jumps else self._in(block, func))
         return at in known
@@ -110,11 +110,3 @@ class DeadCode:
                 for statement in func.fact.body:
                     if isinstance(statement.target, Member):
                         yield statement.target.name
-
-
-def _steps(block: Block) -> Iterator[Step]:
-    for step in block:
-        yield step
-        if not isinstance(step, int):
-            for inner in blocks(step):
-                yield from _steps(inner)

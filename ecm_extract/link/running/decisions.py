@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 from ecm_extract.infer.held import Held, Part, State, Turn, either
 from ecm_extract.infer.kinds import any_fits
 from ecm_extract.infer.routes import OPEN, START, Fitting, Fork, Gate, Route, Verdict
 from ecm_extract.link.code.units import Func
+from ecm_extract.link.running.leading import Leading
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -31,31 +32,33 @@ class Decisions:
         self._truths = truths
         self._deciding: dict[Fork, None] = {}
         self._meanwhile: dict[Fork, Verdict] = {}
+        self._live = Leading("live", lambda fork, holds: self.of(fork).holds is not (not holds))
+        self._likely = Leading("likely", lambda fork, holds: self.of(fork).likely is not (not holds))
 
     @property
     def deciding(self) -> Iterable[Func]:
         """The functions of which a branch is decided right now."""
-        return [gate.env.func for gate in self._deciding]
+        return [fork.env.func for fork in self._deciding]
 
-    def of(self, gate: Fork) -> Verdict:
+    def of(self, fork: Fork) -> Verdict:
         """Tell whether what a branch asks holds; that is open for who asks in a circle, or too deep."""
-        known = gate.found or self._meanwhile.get(gate)
+        known = fork.found or self._meanwhile.get(fork)
         if known is not None:
             return known
-        if not self._may_decide(gate):
+        if not self._may_decide(fork):
             self.folder.cuts += 1
             return OPEN
         cuts = self.folder.cuts
-        self._deciding[gate] = None
+        self._deciding[fork] = None
         try:
             with self.folder.steps.apart():
-                found = self._asked(gate)
+                found = self._asked(fork)
         finally:
-            del self._deciding[gate]
+            del self._deciding[fork]
         if cuts == self.folder.cuts or not self.folder.flow.is_busy:
-            gate.found = found
+            fork.found = found
         else:
-            self._meanwhile[gate] = found
+            self._meanwhile[fork] = found
         self.folder.flow.answered()
         return found
 
@@ -74,25 +77,25 @@ class Decisions:
         """Forget what held only within a question."""
         self._meanwhile.clear()
 
-    def _may_decide(self, gate: Fork) -> bool:
+    def _may_decide(self, fork: Fork) -> bool:
         """Whether a branch is neither asked for by itself, nor deeper than is followed."""
-        if gate in self._deciding or len(self._deciding) >= MAX_NESTED:
+        if fork in self._deciding or len(self._deciding) >= MAX_NESTED:
             return False
         runs = list(dict.fromkeys((each.env.func, self.folder.flow.keys.of(each.env)) for each in self._deciding))
-        own = (gate.env.func, self.folder.flow.keys.of(gate.env))
+        own = (fork.env.func, self.folder.flow.keys.of(fork.env))
         if own in runs:
             return True
-        return len(runs) < MAX_DECIDING and sum(func is gate.env.func for func, _ in runs) < MAX_RECURSION
+        return len(runs) < MAX_DECIDING and sum(func is fork.env.func for func, _ in runs) < MAX_RECURSION
 
     # --- places --------------------------------------------------------------------------------------------
 
     def is_live(self, route: Route, since: Route = START) -> bool:
         """Tell whether a run may come along a route, from a place on it that it came by."""
-        return _leads(route, since, lambda gate, holds: self.of(gate).holds is not (not holds))
+        return self._live.leads(route, since)
 
     def is_likely(self, route: Route, since: Route = START) -> bool:
         """Tell whether a run comes along a route as long as nobody sets a parameter, or whether nothing tells that."""
-        return _leads(route, since, lambda gate, holds: self.of(gate).likely is not (not holds))
+        return self._likely.leads(route, since)
 
     def live(self, states: Sequence[State]) -> Sequence[State]:
         """Return the states that a run may be in; all of them where no run gets there."""
@@ -149,21 +152,3 @@ def _joined(helds: Iterable[Held], found: Mapping[Held, tuple[Held, ...]]) -> tu
     for held in helds:
         ways = either(held.name, ways, found.get(held, (held,)))
     return ways
-
-
-def _leads(route: Route, since: Route, passes: Callable[[Fork, bool], bool]) -> bool:
-    """Whether a run may come along a route from a place on it, by asking for as few branches as tell; none recurses."""
-    known = {since: True}
-    pending = [route]
-    while pending:
-        at = pending[-1]
-        further = next((before for before in at.before if before not in known), None)
-        if at in known:
-            pending.pop()
-        elif any(known.get(before) for before in at.before):
-            known[at] = at.gate is None or passes(at.gate, at.holds)
-        elif further is not None:
-            pending.append(further)
-        else:
-            known[at] = at is START
-    return known[route]

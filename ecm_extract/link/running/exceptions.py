@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Set
 
-from ecm_parsers.source.expr import Call, Constant, Member, Name
+from ecm_parsers.source.expr import Call, Constant, Name
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Attempt, Block, Branch, Later, Leave, Step, blocks
 
 from ecm_extract.infer.kinds import Kind
 from ecm_extract.infer.raising_calls import has_operation, operation, unpacks
-from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
-from ecm_extract.link.code.walk import dotted
+from ecm_extract.link.code.walk import dotted, last_of
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.exception_types import ExceptionTypes
 
@@ -44,7 +43,7 @@ class Exceptions:
 
     def always(self, func: Func) -> bool:
         """Tell whether no way through a function leads out of it but by an exception."""
-        return _raises_in(_steps(func), func, self._names_of_always())
+        return _raises_in(_flow(func), func, self._names_of_always())
 
     def calls_what_raises(self, func: Func, at: int) -> bool:
         """Tell whether a statement does nothing but call a function outside of classes that raises whatever happens."""
@@ -65,7 +64,7 @@ class Exceptions:
         return known
 
     def _calls_any(self, func: Func, at: int, names: Set[str]) -> bool:
-        return any(_last(call) in names for call in func.calls[at])
+        return any(last_of(call.callee) in names for call in func.calls[at])
 
     def _operations(self, func: Func) -> frozenset[int]:
         """The statements with operations that raise under a condition that can be known."""
@@ -101,7 +100,7 @@ class Exceptions:
 
     def _all_raise(self, group: list[Func], found: Set[str]) -> bool:
         bodies = [func for func in group if func.fact.body or func.fact.flow]
-        return bool(bodies) and all(_raises_in(_steps(func), func, found) for func in bodies)
+        return bool(bodies) and all(_raises_in(_flow(func), func, found) for func in bodies)
 
 
 def _grown(first: Set[str], more: Callable[[Set[str]], Set[str]]) -> Set[str]:
@@ -136,7 +135,7 @@ def _waits(func: Func) -> bool:
 
 def _raises_always(call: Call, func: Func, names: Set[str]) -> bool:
     known = operation(call, func.file.language)
-    return _last(call) in names or (known is not None and known.when == "always")
+    return last_of(call.callee) in names or (known is not None and known.when == "always")
 
 
 def _may_leave(step: Step, func: Func) -> bool:
@@ -148,14 +147,9 @@ def _may_leave(step: Step, func: Func) -> bool:
     return any(_may_leave(inner, func) for block in blocks(step) for inner in block)
 
 
-def _steps(func: Func) -> Block:
+def _flow(func: Func) -> Block:
     return func.fact.flow or tuple(range(len(func.fact.body)))
 
 
 def _is_nothing(statement: Statement) -> bool:
     return statement.value == Constant("null")
-
-
-def _last(call: Call) -> str:
-    callee = call.callee
-    return callee.name if isinstance(callee, Member) else last_name(callee.id) if isinstance(callee, Name) else ""

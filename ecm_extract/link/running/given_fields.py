@@ -4,18 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Items, Member, Name
+from ecm_parsers.source.expr import Call, Items, Member, Name
 
 from ecm_extract.link.code.calls import dotted_name
-from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.spelling import last_name, plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.scope import Definition
+from ecm_extract.link.running.values import Value
+from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
+
+_TAKEN: Final = shipped_names("link/code/library_values.toml", "parameter_values")
 
 
 class GivenFields:
@@ -24,6 +28,7 @@ class GivenFields:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._known: dict[tuple[str, Cls], bool] = {}
+        self._read: dict[tuple[str, Cls], tuple[Value, ...]] = {}
 
     def is_given(self, name: str, cls: Cls) -> bool:
         """Tell whether a field of some object of a class may not be what the class declares it with."""
@@ -40,6 +45,38 @@ class GivenFields:
 
     def _assigned(self, name: str, cls: Cls) -> bool:
         return any(self._is_of(entry, cls) for entry in self.folder.scope.assigned_outside(name, "cpp"))
+
+    def of_parameters(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        """Return what a field has as long as nobody sets a parameter: nothing but that parameter is assigned to it.
+
+        Nothing is returned where anybody gives it anything else, or its objects are made with anything else.
+        """
+        known = self._read.get((name, cls))
+        if known is None:
+            self._read[name, cls] = ()  # who asks in a circle
+            known = self._read[name, cls] = self._read_into(name, cls, env)
+        return known
+
+    def _read_into(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        field = cls.fields.get(name)
+        if field is None or self._in_braces(name, cls):
+            return ()
+        own = [entry for entry in self.folder.scope.assigned_outside(name, "cpp") if self._is_of(entry, cls)]
+        found = [self.folder.fold(entry.statement.value, Env(entry.func, entry.at)) for entry in own]
+        read = [values for values, entry in zip(found, own, strict=True) if not self._is_set(values, entry)]
+        if not read or any(values != read[0] or len(values) != 1 for values in read):
+            return ()
+        begun = self.folder.fold(field.default, Env(env.func, this=cls)) if field.default is not None else read[0]
+        is_read = bool(read[0][0].parameter) and read[0][0].confidence == "default"
+        return read[0] if is_read and begun[0].parts == read[0][0].parts else ()
+
+    def _is_set(self, values: Sequence[Value], entry: Definition) -> bool:
+        """Whether an assignment takes what nobody shows out of a parameter: once somebody sets it."""
+        value = entry.statement.value
+        if not isinstance(value, Call) or not isinstance(value.callee, Member) or value.callee.name not in _TAKEN:
+            return False
+        of = self.folder.objects.type_of(value.callee.base, Env(entry.func, entry.at))
+        return last_name(plain(pointee(of))) == "Parameter" and all(each.confidence == "pattern" for each in values)
 
     def is_reached_into(self, path: str) -> bool:
         """Tell whether somebody assigns `object.member.field`, of whatever object; `path` is `.member.field`."""

@@ -142,8 +142,11 @@ class Objects:
         return self._returned_by(self.program.class_named(owner, env.func.file, env.scope), name) if owner else ""
 
     def _returned_by(self, cls: Cls | None, name: str) -> str:
-        methods = (method for owner in self.program.ancestry(cls) for method in owner.methods) if cls else ()
-        return next((each.fact.returns for each in methods if each.fact.name == name and each.fact.returns), "")
+        for owner in self.program.ancestry(cls) if cls is not None else ():
+            for method in owner.methods:
+                if method.fact.name == name and method.fact.returns and cls is not None:
+                    return self.scope.base_types.within(method.fact.returns, owner, cls)
+        return ""
 
     def _is_type(self, name: str, file: File) -> bool:
         known = self.program.seen_classes(name, file)

@@ -10,13 +10,12 @@ from collections.abc import Iterator, Set
 from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Member, Name
-from ecm_parsers.source.flow import Block, Later, Loop, blocks, statements
+from ecm_parsers.source.expr import Call
+from ecm_parsers.source.flow import Block, Later, Loop, blocks, statements, steps
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
-from ecm_extract.link.code.walk import calls_in
+from ecm_extract.link.code.walk import calls_in, last_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -98,7 +97,7 @@ class RunsOnce:
         values = [parameter.default for func in functions for parameter in func.fact.params]
         values += [field.default for cls in classes for field in cls.fact.fields]
         values += [constant.value for group in program.constants.values() for _, constant in group]
-        return frozenset(_last(call) for value in values for call in calls_in(value))
+        return frozenset(last_of(call.callee) for value in values for call in calls_in(value))
 
 
 def is_main(func: Func) -> bool:
@@ -118,12 +117,7 @@ def _is_single(call: Invocation, name: str) -> bool:
     flow = call.func.fact.flow or ()
     repeated = {at for loop in _loops(flow) for block in blocks(loop) for at in statements(block)}
     calls = [each for group in call.func.calls for each in group] + list(_tests(call.func))
-    return call.at not in repeated and sum(_last(each) == name for each in calls) == 1
-
-
-def _last(call: Call) -> str:
-    callee = call.callee
-    return callee.name if isinstance(callee, Member) else last_name(callee.id) if isinstance(callee, Name) else ""
+    return call.at not in repeated and sum(last_of(each.callee) == name for each in calls) == 1
 
 
 def _tests(func: Func) -> Iterator[Call]:
@@ -133,9 +127,4 @@ def _tests(func: Func) -> Iterator[Call]:
 
 
 def _loops(block: Block) -> Iterator[Loop | Later]:
-    for step in block:
-        if isinstance(step, Loop | Later):
-            yield step
-        inner = () if isinstance(step, int) else blocks(step)
-        for each in inner:
-            yield from _loops(each)
+    return (step for step in steps(block) if isinstance(step, Loop | Later))

@@ -16,6 +16,7 @@ from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.base_types import BaseTypes
 from ecm_extract.link.running.env import Env
 
 _FLAGS: Final = {"store_true": "false", "store_false": "true"}
@@ -41,6 +42,7 @@ class Scope:
 
     def __init__(self, program: Program) -> None:
         self.program = program
+        self.base_types = BaseTypes(program)
         self.ways: Callable[[Expr, Env], Sequence[Sequence[Held]]] = _nothing
         self._locals: dict[Func, dict[str, list[int]]] = {}
         self._options: dict[tuple[File, str], Expr] | None = None
@@ -97,8 +99,8 @@ class Scope:
         """Return the written type of a data member, bases included."""
         for entry in self.program.ancestry(cls) if cls is not None else ():
             field = entry.fields.get(name)
-            if field is not None:
-                return field.type
+            if field is not None and cls is not None:
+                return self.base_types.within(field.type, entry, cls)
         return ""
 
     def members(self, name: str, cls: Cls) -> list[Definition]:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence, Set
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Constant, Name
-from ecm_parsers.source.flow import Block, Switch, blocks
+from ecm_parsers.source.flow import Block, Switch, steps
 from ecm_parsers.source.python_names import BUILT_IN, OPEN_NAMES
 
 from ecm_extract.infer.held import Held
@@ -85,7 +85,4 @@ def _asks_by_name(functions: Iterable[Func]) -> bool:
 
 def _has_match(block: Block) -> bool:
     """Whether a block has a `match`, whose patterns bind names; a chain of `elif` asks for what is true."""
-    steps = [step for step in block if not isinstance(step, int)]
-    if any(isinstance(step, Switch) and step.subject != Constant("true") for step in steps):
-        return True
-    return any(_has_match(inner) for step in steps for inner in blocks(step))
+    return any(isinstance(step, Switch) and step.subject != Constant("true") for step in steps(block))

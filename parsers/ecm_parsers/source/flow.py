@@ -139,6 +139,15 @@ def blocks(step: Step) -> Iterator[Block]:
         yield step.body
 
 
+def steps(block: Block) -> Iterator[Step]:
+    """Yield the steps of a block that are no statements, at any depth."""
+    for step in block:
+        if not isinstance(step, int):
+            yield step
+            for inner in blocks(step):
+                yield from steps(inner)
+
+
 def statements(block: Block) -> Iterator[int]:
     """Yield the statements of steps, at any depth, by their index."""
     for step in block:
