@@ -39,8 +39,7 @@ def _countable(call: Invocation, func: Func) -> bool:
 
 def _deducible(call: Invocation, func: Func) -> bool:
     """A template parameter that no function parameter mentions must be given at the call; those of its class are."""
-    of_class = func.cls.fact.template if func.cls is not None else ()
-    own = [name for name in func.fact.template if name not in of_class]
+    own = func.own_template
     if call.types or not own:
         return True
     text = " ".join(parameter.type for parameter in func.fact.params)

@@ -149,7 +149,7 @@ class Sites:
         params, made = self.openness.of(site, self.names(site))
         given = site.root.given
         around = {name for func in self.folder.nesting.around(site.root) for name in func.given}
-        if params & (given | set(site.root.fact.template)) or (params | made) & around:
+        if params & (given | set(site.root.own_template)) or (params | made) & around:
             if site.form.row.value and site.root not in self._remembered:
                 self._remembered.add(site.root)
                 self._remember_wrapper(site)
