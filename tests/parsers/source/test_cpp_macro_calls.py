@@ -8,7 +8,7 @@ from ecm_parsers.source.cpp_macro_calls import MAX_CALLS, with_macro_calls
 PUB = "#define PUB(var, type, ...) do { log(#type); var = node->create<type>(__VA_ARGS__); } while (0)\n"
 GET = "#define GET(name) node->get(name)\n"
 ROWS = [
-    (PUB, 'PUB(a_, std::String, "a", 10);', 'do { log("std::String"); a_ = node->create<std::String>("a", 10); } while (0);'),
+    (PUB, 'PUB(a_, a::T, "a", 10);', 'do { log("a::T"); a_ = node->create<a::T>("a", 10); } while (0);'),
     (GET, "int x = GET(f(a, b)) + 1;", "int x = node->get(f(a, b)) + 1;"),
     (GET, "GET(//what\n  a);", "node->get(\n  a);"),
     (GET + "#define ALL(x) a.run(GET(x))\n", "ALL(1);", "a.run(node->get(1));"),
