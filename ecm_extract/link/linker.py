@@ -9,10 +9,11 @@ from typing import Any, TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos
 from ecm_checker.hub.local_name import LocalName
-from ecm_parsers.source.expr import Expr, Items, Name, Text
+from ecm_parsers.source.expr import Expr, Name, Text
 
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
+from ecm_extract.link.declaring.listed import Listed, listed_parameters
 from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, name_argument, positions
 from ecm_extract.link.declaring.parameters import Home, Parameters
 from ecm_extract.link.declaring.site import Site
@@ -57,8 +58,9 @@ from ecm_extract.link.owning.modules import Module, Modules
 from ecm_extract.link.owning.ownership import Ownership
 from ecm_extract.link.owning.references import References, Unit
 from ecm_extract.link.owning.registry import build_registry, plugins_of
+from ecm_extract.link.running.env import Bound
 from ecm_extract.link.running.scope import Scope
-from ecm_extract.link.running.values import Value, is_proved, literal, settled, unknown, weaker
+from ecm_extract.link.running.values import Value, is_proved, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.layout import layouts
 from ecm_extract.resolve.sight import Sight
@@ -189,14 +191,21 @@ class Linker:
 
     def _declare_defaults(self, sites: Iterable[Site]) -> None:
         for site in sites:
-            default = next(positions(site.form.default, site.call), None)
-            name = name_argument(site.form, site.call)
-            if default is not None and name is not None and stated_type(default) is None:
-                owner = (site.owner,) if site.owner is not None else ()
-                homes: tuple[Home, ...] = (site.root.file.package, site.root.file, *owner)
-                for value in self.sites.names(site):
+            owner = (site.owner,) if site.owner is not None else ()
+            homes: tuple[Home, ...] = (site.root.file.package, site.root.file, *owner)
+            for each in self._defaults(site):
+                if each.default is not None and stated_type(each.default.expr) is None:
                     for home in homes:
-                        self.parameters.declare(value.text, home, (default, site.env))
+                        self.parameters.declare(each.name.text, home, (each.default.expr, each.default.env))
+
+    def _defaults(self, site: Site) -> Iterable[Listed]:
+        """The parameters of a site, by the names that it declares, with their defaults."""
+        if site.form.items:
+            return listed_parameters(site, self.folder)
+        default = next(positions(site.form.default, site.call), None)
+        if default is None or name_argument(site.form, site.call) is None:
+            return ()
+        return [Listed(name, Bound(default, site.env)) for name in self.sites.names(site)]
 
     def _linked(
         self, module: Module, found: Mapping[Module, list[Interface]], nodes: Mapping[Cls, NodeName]
@@ -298,31 +307,15 @@ class Linker:
             return [(fixed_name(site, self.folder), None)]
         default = next(positions(form.default, call), None)
         if form.items:
-            return self._listed(site)
+            listed = [
+                (each.name, each.default.expr if each.default else None)
+                for each in listed_parameters(site, self.folder)
+            ]
+            return listed or [(unknown("parameters"), None)]
         values = self.sites.names(site)
         default = default or fallback(site, site.call.at, self.folder)
         place = place_at(site, self.folder)
         return [(placed(value, place), default) for value in values[:MAX_NAMES]]
-
-    def _listed(self, site: Site) -> list[tuple[Value, Expr | None]]:
-        listed = next(positions(site.form.items, site.call), None)
-        prefix = (
-            self.folder.fold(name_argument(site.form, site.call), site.env)[0]
-            if site.call.args or site.call.keywords
-            else literal("")
-        )
-        found: list[tuple[Value, Expr | None]] = []
-        for bound in self.folder.lists.items(listed, site.env) or ():
-            if isinstance(bound.expr, Items) and bound.expr.items:
-                default = bound.expr.items[1] if len(bound.expr.items) > 1 else None
-                for value in self.folder.fold(bound.expr.items[0], bound.env):
-                    full = (
-                        Value((prefix.text, ".", *value.parts), value.confidence)
-                        if prefix.text and prefix.confidence != "pattern"
-                        else value
-                    )
-                    found.append((full, default))
-        return found or [(unknown("parameters"), None)]
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
         form = site.form

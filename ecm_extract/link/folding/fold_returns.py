@@ -14,6 +14,7 @@ from ecm_extract.link.code.overloads import score
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.fold_closures import ClosureFolder
+from ecm_extract.link.folding.names_of_nodes import told_by_node
 from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.running.env import Bound, Env, Instance, bind
 from ecm_extract.link.running.object_states import is_own
@@ -22,8 +23,6 @@ from ecm_extract.link.running.values import (
     alternatives,
     below_namespace,
     demoted,
-    node_name,
-    node_namespace,
     unknown,
     without_defaults,
 )
@@ -31,8 +30,6 @@ from ecm_extract.link.running.values import (
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
-_NAMES = frozenset({"ros::this_node::getName", "rospy.get_name"})
-_NAMESPACES = frozenset({"ros::this_node::getNamespace", "rospy.get_namespace"})
 MAX_RETURNS = 12
 """Returns of one call that are looked at."""
 
@@ -49,7 +46,7 @@ class ReturnFolder:
         """Return what a call can give: of each return that is reached, and of what may be called instead."""
         callee = self.meant(call, env)
         if callee is None:
-            return (_of_node(call) or unknown(call.last),)
+            return (told_by_node(call, env, self.folder) or unknown(call.last),)
         found = self.returned(callee, call, env)
         if not found or len(found) > MAX_RETURNS:
             return (unknown(call.last),)
@@ -157,10 +154,3 @@ def _beside_joined(values: list[Value]) -> list[Value]:
     """Drop `x` beside `namespace + "/x"`: what a helper joins when it is relative it hands back when it is absolute."""
     joined_texts = {text for value in values if (text := below_namespace(value)) is not None}
     return [value for value in values if value.text not in joined_texts or value.text.startswith("/")]
-
-
-def _of_node(call: Invocation) -> Value | None:
-    """`get_name()`, `get_namespace()` of a node and ROS 1 counterparts; functions of the tree were tried before."""
-    if call.last in {"get_name", "get_fully_qualified_name"} or call.path in _NAMES:
-        return node_name()
-    return node_namespace() if call.last == "get_namespace" or call.path in _NAMESPACES else None

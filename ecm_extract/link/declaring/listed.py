@@ -1,0 +1,43 @@
+"""Parameters that one call declares as a list: `declare_parameters("camera", [("rate", 30), ("topic", "image")])`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from ecm_parsers.source.expr import Items
+
+from ecm_extract.link.declaring.match import name_argument, positions
+from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.running.env import Bound
+from ecm_extract.link.running.values import Value, literal, weaker
+
+
+class Listed(NamedTuple):
+    """A parameter by its whole name, with its default where it has one."""
+
+    name: Value
+    default: Bound | None
+
+
+def listed_parameters(site: Site, folder: Folder) -> Iterator[Listed]:
+    """Yield the parameters that the call of a site lists; nothing where the list is not known."""
+    prefixes = _prefixes(site, folder)
+    for entry in folder.lists.items(next(positions(site.form.items, site.call), None), site.env) or ():
+        if isinstance(entry.expr, Items) and entry.expr.items:
+            name, *rest = entry.expr.items
+            default = Bound(rest[0], entry.env) if rest else None
+            for value in folder.fold(name, entry.env):
+                yield from (Listed(_below(prefix, value), default) for prefix in prefixes)
+
+
+def _prefixes(site: Site, folder: Folder) -> tuple[Value, ...]:
+    given = name_argument(site.form, site.call) if site.call.args or site.call.keywords else None
+    return folder.fold(given, site.env) if given is not None else (literal(""),)
+
+
+def _below(prefix: Value, name: Value) -> Value:
+    if not prefix.text:
+        return name
+    return Value((*prefix.parts, ".", *name.parts), weaker(prefix.confidence, name.confidence))

@@ -1,0 +1,59 @@
+"""What nodes say of themselves: `get_name()`, `get_namespace()`, and what ROS 1 has instead.
+
+Sources: rclcpp/node.hpp, rclpy/node.py, ros/this_node.h, rospy/rostime and names, nodelet/nodelet.h.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from ecm_parsers.source.expr import Expr
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.spelling import is_node_interface, plain, pointee
+from ecm_extract.link.code.units import Cls
+from ecm_extract.link.index.module_kinds import class_kind, is_node_base
+from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.object_states import is_own
+from ecm_extract.link.running.values import Value, node_name, node_namespace
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+_NAMES: Final = frozenset({"ros::this_node::getName", "rospy.get_name"})
+_NAMESPACES: Final = frozenset({"ros::this_node::getNamespace", "rospy.get_namespace"})
+_OWN_NAMES: Final = frozenset({"get_name", "get_fully_qualified_name"})
+_OF_NODELETS: Final = "getName"
+
+
+def told_by_node(call: Invocation, env: Env, folder: Folder) -> Value | None:
+    """Return what a call of no function of the tree gives that a node answers; None where no node does."""
+    if call.path in _NAMES or (call.last in _OWN_NAMES and _may_be_node(call.receiver, env, folder)):
+        return node_name()
+    if call.path in _NAMESPACES or (call.last == "get_namespace" and _may_be_node(call.receiver, env, folder)):
+        return node_namespace()
+    own = env.this or env.func.cls
+    is_nodelet = own is not None and is_own(call.receiver) and class_kind(own, folder.program) == "nodelet"
+    return node_name() if call.last == _OF_NODELETS and is_nodelet else None
+
+
+def _may_be_node(receiver: Expr | None, env: Env, folder: Folder) -> bool:
+    """Whether an object is a node, or nothing shows what it is: parameters, joints and plugins have names too."""
+    if is_own(receiver) or receiver is None:
+        own = env.this or env.func.cls
+        return own is None or _derives(own, folder)
+    cls = folder.objects.class_of(receiver, env)
+    if cls is not None:
+        return _derives(cls, folder)
+    written = folder.objects.type_of(receiver, env)
+    bare = plain(pointee(written))
+    is_open = env.func.file.language == "python" or bare in {"", "auto", *env.func.fact.template}
+    return is_open or is_node_base(bare) or is_node_interface(written)
+
+
+def _derives(cls: Cls, folder: Folder) -> bool:
+    """Whether a class is a node, or may be one by a base that is not of the tree and of no other kind."""
+    kind = class_kind(cls, folder.program)
+    known = {entry.fact.name for entry in folder.program.ancestry(cls)}
+    others = (plain(name).rpartition("::")[2].rpartition(".")[2] for name in folder.program.base_names(cls))
+    return kind == "node" or (kind is None and any(name not in known for name in others))

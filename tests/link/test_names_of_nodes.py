@@ -1,0 +1,105 @@
+"""What `get_name()` and its like give: the name of a node of a node alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+NODE = """
+#include <rclcpp/rclcpp.hpp>
+class D : public rclcpp::Node {{
+public:
+  D() : Node("demo") {{
+    {setup}
+    auto a = create_publisher<std_msgs::msg::String>({name}, 1);
+  }}
+  {member}
+}};
+int main(int argc, char ** argv) {{ rclcpp::spin(std::make_shared<D>()); }}
+"""
+NODELET = """
+#include <nodelet/nodelet.h>
+class D : public nodelet::Nodelet {
+  void onInit() override {
+    auto a = getNodeHandle().advertise<std_msgs::String>(getName() + "/state", 1);
+  }
+};
+PLUGINLIB_EXPORT_CLASS(D, nodelet::Nodelet)
+"""
+ROWS = [
+    ("its own", "", 'std::string(get_name()) + "/state"', "", "/demo/state"),
+    ("of itself", "", 'std::string(this->get_name()) + "/state"', "", "/demo/state"),
+    (
+        "of a pointer to it",
+        "rclcpp::Node * node = this;",
+        'std::string(node->get_name()) + "/state"',
+        "",
+        "/demo/state",
+    ),
+    ("of a parameter", "", 'given_.get_name() + "/state"', "rclcpp::Parameter given_;", "/{get_name}/state"),
+    (
+        "of a joint",
+        "",
+        'joint_.get_name() + "/state"',
+        "hardware_interface::LoanedStateInterface joint_;",
+        "/{get_name}/state",
+    ),
+]
+
+
+@pytest.mark.parametrize(
+    ("setup", "name", "member", "expected"), [row[1:] for row in ROWS], ids=[row[0] for row in ROWS]
+)
+def test_a_name_is_that_of_the_node_where_a_node_is_asked(
+    workspace: Any, setup: str, name: str, member: str, expected: str
+) -> None:
+    """Parameters and joints have names of their own, which nobody shows."""
+    text = NODE.format(setup=setup, name=name, member=member)
+    assert workspace.package({"src/d.cpp": text}).only("publisher").name == expected
+
+
+def test_hardware_has_a_name_that_its_description_gives(workspace: Any) -> None:
+    """`get_name()` of a hardware component is what the robot description calls it, not a node's name."""
+    text = """
+    #include <hardware_interface/system_interface.hpp>
+    class H : public hardware_interface::SystemInterface {
+      hardware_interface::CallbackReturn on_init(const hardware_interface::HardwareInfo & info) override {
+        auto a = get_node()->create_publisher<std_msgs::msg::String>(get_name() + "/state", 1);
+      }
+    };
+    PLUGINLIB_EXPORT_CLASS(H, hardware_interface::SystemInterface)
+    """
+    assert "{get_name}" in workspace.package({"src/h.cpp": text}).only("publisher").name
+
+
+def test_a_nodelet_is_called_as_it_is_loaded(workspace: Any) -> None:
+    """`getName()` of a nodelet is its name in the graph."""
+    found = workspace.package({"src/d.cpp": NODELET}, ros=1).only("publisher")
+    assert "getName" not in found.name
+
+
+def test_the_value_that_a_parameter_of_python_keeps(workspace: Any) -> None:
+    """`_value` is read by many, and is the value."""
+    text = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class D(Node):
+    def __init__(self):
+        super().__init__("d")
+        self.declare_parameters("", [("topic", "asked")])
+        self.sub = self.create_subscription(String, self.get_parameter("topic")._value, print, 1)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(D())
+
+
+if __name__ == "__main__":
+    main()
+"""
+    assert workspace.package({"pkg/d.py": text}).only("subscriber").name == "/asked"
