@@ -29,19 +29,3 @@ def test_what_a_method_of_a_template_returns_is_known(workspace: Any) -> None:
     workspace.package({"include/pkg/server.hpp": HEADER, "src/wait.cpp": NODE})
     entry = workspace.only("service_server")
     assert (entry.name, entry.confidence) == ("/wait/own/pause", "folded")
-
-
-SEARCHED = """
-std::string global(const std::string & name) { if (name.find("/") == 0) { return name.substr(1); } return name + "/in"; }
-class Demo : public rclcpp::Node {
- public:
-  explicit Demo(const std::string & name) : Node(name) { create_service<std_srvs::srv::Trigger>(global(get_name()), f); }
-};
-int main(int argc, char ** argv) { rclcpp::spin(std::make_shared<Demo>(argv[1])); }
-"""
-
-
-def test_the_name_of_a_node_has_no_slash(workspace: Any) -> None:
-    """Whatever a node is called, a branch that asks for a slash in it is decided."""
-    workspace.package({"src/demo.cpp": SEARCHED})
-    assert [one.name for one in workspace.interfaces()] == ["~/in"]

@@ -9,14 +9,12 @@ from ecm_parsers.source.expr import Call, Expr, Text
 from ecm_extract.infer.compute import method
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.running.env import Env
-from ecm_extract.link.running.values import PARENT_NAMESPACE, Value, joined, literal, node_name, node_namespace, unknown
+from ecm_extract.link.running.values import PARENT_NAMESPACE, Value, joined, node_namespace, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
 _LAST_SLASH = frozenset({"rfind", "find_last_of"})
-_ASK_WHERE = frozenset({"find", "rfind", "starts_with", "startswith", "ends_with", "endswith", "find_first_of"})
-_SOME_NAME = "node"
 _CPP_METHODS = frozenset(
     {"substr", "size", "length", "empty", "find", "rfind", "find_last_of", "find_first_of", "compare", "back", "front"}
     | {"starts_with", "ends_with"}
@@ -68,8 +66,6 @@ class TextFolder:
         subject = self.folder.fold(call.receiver, env)
         if any(value.data is not None for value in subject):
             return None
-        if subject == (node_name(),) and call.args == (Text("/"),) and call.last in _ASK_WHERE:
-            subject = (literal(_SOME_NAME),)  # names of nodes have no slash: rmw/validate_node_name.h
         options = [subject, *(self.folder.fold(arg, env) for arg in call.args)]
         found = self.folder.combined(options, lambda data: method(call.last, data[0], data[1:], python), call.last)
         owned = (
