@@ -255,7 +255,7 @@ class Sites:
         for call in self.calls.get(cls.fact.name, ()):
             if call.func.cls is cls or (own and self.is_base_of(call, cls)):
                 continue
-            if self.makes(call, cls) and call not in site.chain:
+            if self.makes(call, cls) and call not in site.chain and self.folder.objects.may_run(site.root, cls, call):
                 for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
                     yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
 

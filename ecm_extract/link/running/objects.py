@@ -226,6 +226,14 @@ class Objects:
             made = Instance(made.cls, bind(target, call, env.before(call.at)), made.types, target)
         return made
 
+    def may_run(self, func: Func, cls: Cls, call: Invocation) -> bool:
+        """Tell whether a call that makes an object may run a function: of constructors those that it means."""
+        least, most = func.arity
+        if not func.is_constructor or func.cls is not cls or least <= len(call.args) + len(call.keywords) <= most:
+            return True
+        maker = self.constructor(cls, len(call.args))
+        return maker is not None and _base_call(maker, cls) is not None  # it leaves the work to another one
+
     def _meant(self, written: str, cls: Cls) -> str:
         """What a template argument in the head of a class stands for where the class is."""
         return self.program.alias(written, cls.file, cls.fact.scope) or written
