@@ -80,6 +80,10 @@ _Asked = tuple[Hashable, ...]
 """A name with what its value depends on, beside what its function is called with."""
 
 
+def _no_prefix(_handle: Expr, _env: Env) -> None:
+    """Before anybody knows what node handles put before names."""
+
+
 class Folder:
     """Evaluates expressions of a program."""
 
@@ -88,6 +92,7 @@ class Folder:
         self.scope = scope
         self.objects = Objects(program, scope)
         self.reads = reads
+        self.prefixes: Callable[[Expr, Env], Value | None] = _no_prefix
         self.names = NameFolder(self)
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)

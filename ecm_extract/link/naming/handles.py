@@ -69,6 +69,11 @@ class Handles:
             return known
         return Handle(unknown(_label(expr))) if env.func.file.ros == 1 else OWN
 
+    def prefix(self, expr: Expr, env: Env) -> Value | None:
+        """Return what a handle puts before names; None of one that is not known."""
+        known = self._known(expr, env, 0)
+        return known.prefix if known is not None and known.node is None else None
+
     def _known(self, expr: Expr | None, env: Env, depth: int) -> Handle | None:
         if expr is None or expr == _THIS:
             return OWN
