@@ -67,7 +67,7 @@ def _may_be_node(receiver: Expr | None, env: Env, folder: Folder) -> bool:
 
 def _derives(cls: Cls, folder: Folder) -> bool:
     """Whether a class is a node, or may be one by a base that is not of the tree and of no other kind."""
-    kind = class_kind(cls, folder.program)
+    module_kind = class_kind(cls, folder.program)
     known = {entry.fact.name for entry in folder.program.ancestry(cls)}
     others = (plain(name).rpartition("::")[2].rpartition(".")[2] for name in folder.program.base_names(cls))
-    return kind == "node" or (kind is None and any(name not in known for name in others))
+    return module_kind == "node" or (module_kind is None and any(name not in known for name in others))
