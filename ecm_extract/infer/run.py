@@ -91,9 +91,14 @@ class Frame:
         self.rounds = 0
 
     @property
+    def follows(self) -> bool:
+        """Whether loops over what is known are run round by round, those within a round that stands for all too."""
+        return self.whole and self.steps <= MAX_STEPS
+
+    @property
     def unrolls(self) -> bool:
-        """Whether loops are run round by round."""
-        return self.whole and not self.blurred and self.steps <= MAX_STEPS
+        """Whether loops that ask a condition are run round by round."""
+        return self.follows and not self.blurred
 
     def place(self, state: State) -> Env:
         """Return the place of the statement at hand, in a state."""

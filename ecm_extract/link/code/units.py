@@ -67,6 +67,12 @@ class Func:
                 yield other
 
     @property
+    def own_template(self) -> Sequence[str]:
+        """Its template parameters without those of its class, which a definition outside of that repeats."""
+        of_class = self.cls.fact.template if self.cls is not None else ()
+        return [name for name in self.fact.template if name not in of_class]
+
+    @property
     def specialized(self) -> tuple[str, ...]:
         """The arguments for which it specializes a template; empty of what is no specialization."""
         if self.fact.specializes is None or self.fact.specializes:

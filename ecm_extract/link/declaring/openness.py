@@ -45,7 +45,7 @@ class Openness:
             params |= found.open
             made |= found.open
         made |= self._redefined(site, names)
-        for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_qos(site), _is_qos)):
+        for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_whole(_qos(site)), _is_qos)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
         return params, made
@@ -104,18 +104,20 @@ class Openness:
         place = self.folder.names.captured_at(name, env) if name else None
         if place is not None:
             return [(expr, place)]
-        return self._initialisers(name, env) if name and not self._accepted(expr, env, accepts) else ()
+        if expr is None or not name or self._accepted(expr, env, accepts):
+            return ()
+        return self._initialisers(expr, env)
 
-    def _initialisers(self, name: str, env: Env) -> Iterator[tuple[Expr | None, Env]]:
+    def _initialisers(self, variable: Expr, env: Env) -> Iterator[tuple[Expr | None, Env]]:
         """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
-        for made in self.folder.origins.makers(Name(name), env) or ():
+        for made in self.folder.origins.makers(variable, env) or ():
             body = made.env.func.fact.body
             statement = body[made.env.at] if 0 <= made.env.at < len(body) else None
             outer = _below(statement) if statement is not None else None
             if outer is not None:
                 yield outer, made.env
             elif statement is not None and statement.kind in _INITIALISING and made.env.func.is_constructor:
-                yield _parent(made.expr, name), made.env
+                yield _parent(made.expr, _variable(variable)), made.env
 
 
 def _parent(expr: Expr, member: str) -> Expr:
@@ -143,6 +145,13 @@ def _names(expr: Expr | None) -> Iterator[str]:
 
 def _qos(site: Site) -> Expr | None:
     return next(positions(site.form.qos, site.call), None) if not site.form.fixed else None
+
+
+def _whole(expr: Expr | None) -> Expr | None:
+    """The variable, or the member of the object at hand, that a profile is a field of; itself where it is none."""
+    while isinstance(expr, Member) and expr.base != Name("this"):
+        expr = expr.base
+    return expr
 
 
 def _is_handle(name: str, func: Func) -> bool:

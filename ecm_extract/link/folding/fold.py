@@ -52,8 +52,8 @@ from ecm_extract.link.running.lasting import LastingVariables
 from ecm_extract.link.running.lasting_states import LastingStates
 from ecm_extract.link.running.lent import Lent
 from ecm_extract.link.running.method_effects import MethodEffects
-from ecm_extract.link.running.object_makers import ObjectMakers
 from ecm_extract.link.running.object_fields import ObjectFields
+from ecm_extract.link.running.object_makers import ObjectMakers
 from ecm_extract.link.running.object_states import ObjectStates
 from ecm_extract.link.running.objects import Objects
 from ecm_extract.link.running.origins import Origins

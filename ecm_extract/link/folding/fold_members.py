@@ -91,8 +91,9 @@ class MemberFolder:
         return self.folder.names.of_message(plain(pointee(written)), expr.name, env) if written else ()
 
     def _of_given(self, expr: Member, env: Env) -> tuple[Value, ...]:
-        """A part of what callers pass, of which Python need not say the type."""
-        if env.func.file.language != "python" or not isinstance(expr.base, Name):
+        """A part of what callers, or the makers of the object, pass, of which Python need not say the type."""
+        own = isinstance(expr.base, Member) and expr.base.base == Name("this")
+        if env.func.file.language != "python" or not (own or isinstance(expr.base, Name)):
             return ()
         return next(filter(None, (_taken_of(value, expr.name) for value in self.folder.fold(expr.base, env))), ())
 
@@ -223,10 +224,10 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        return alternatives((*values, unknown(name))) if self._is_given(name, cls) else values
+        return alternatives((*values, unknown(name))) if self.is_given(name, cls) else values
 
-    def _is_given(self, name: str, cls: Cls) -> bool:
-        """Whether others than the methods of a class give a member of some object of it something."""
+    def is_given(self, name: str, cls: Cls) -> bool:
+        """Tell whether others than the methods of a class give a member of some object of it something."""
         if cls.file.language == "python":
             return bool(self.folder.scope.assigned_outside(name, "python"))
         return self.folder.given_fields.is_given(name, cls)
