@@ -11,6 +11,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.effects import bare_names, is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
+from ecm_extract.infer.places import target_of, wholes
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.unpacking import taken, unstarred
 from ecm_extract.link.code.containers import makes_tuple
@@ -34,7 +35,7 @@ class Assigning:
 
     def assign(self, statement: Statement, at: int, env: Env, state: State) -> State:
         """Return the state after a statement has given its target a value."""
-        target, value = statement.target, statement.value
+        target, value = target_of(statement), statement.value
         if statement.kind == "let" and value is None:
             return self.bind(target, Held("made", "", None, env, at), state)
         if statement.kind == "let" and statement.type.endswith("&"):
@@ -137,12 +138,15 @@ class Assigning:
         return self.memory.lost(state, {self.frame.effects.root(part) for part in within} - {""})
 
     def _after_rebinding(self, key: str, state: State) -> State:
-        """In C++ a reference that is assigned writes through, and references to what is assigned see it."""
+        """In C++ a reference that is assigned writes through, and references to what is assigned see it.
+
+        A field of Python is one of all names of its object.
+        """
         if self.frame.python:
-            return state
+            return self.memory.in_part(key, state.holds[key][0], state) if "." in key else state
         same = self.memory.sharing.names_of(key)
         touched = self.memory.sharing.touched(same, state)
-        for whole in _wholes(key):
+        for whole in wholes(key):
             names = self.memory.sharing.names_of(whole)
             touched |= self.memory.sharing.touched(names, state)
             same |= {name + key.removeprefix(whole) for name in names}
@@ -185,12 +189,6 @@ def _parts(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr
     inner = held.how in {"each", "part"}
     for item in target.items:
         yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
-
-
-def _wholes(key: str) -> list[str]:
-    """The objects that a field lies in, by key; the object at hand has none."""
-    parts = key.split(".")
-    return [".".join(parts[:count]) for count in range(1, len(parts)) if parts[0]]
 
 
 def _of_maker(value: Expr | None, python: bool) -> Expr | None:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple, Protocol
 
 from ecm_parsers.source.expr import Constant, Expr, Op
-from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Leave, Switch, blocks
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Switch, blocks
 
 from ecm_extract.infer.exits import Around, Exits
-from ecm_extract.infer.held import State, joined_states
+from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.routes import OPEN
-from ecm_extract.infer.run import Frame
+from ecm_extract.infer.run import Frame, Raised
 
 
 class Sides(NamedTuple):
@@ -130,7 +131,7 @@ class Branching:
         around = self.exits.end()
         outs = [self.blocks.run(step.other, done)]
         for handler, catching in zip(step.handlers, around.handlers, strict=True):
-            caught = joined_states([each.state for each in catching.caught])
+            caught = joined_states([_with_exception(handler, each) for each in catching.caught])
             if caught is None:
                 self.blocks.unreached(handler.body, state)
                 continue
@@ -151,6 +152,14 @@ class Branching:
             after = self.blocks.run(final, self.frame.undecided(maybe))
             if after is not None:
                 self.exits.may_raise(after)
+
+
+def _with_exception(handler: Handler, raised: Raised) -> State:
+    """The state in which a handler begins, where it may have the exception in a variable."""
+    if not handler.name:
+        return raised.state
+    made = replace(raised.made, name=handler.name) if raised.made is not None else Held("lost", handler.name)
+    return raised.state.having({handler.name: (made,)})
 
 
 def _behind(step: Branch | Switch, before: State, after: State | None) -> State | None:

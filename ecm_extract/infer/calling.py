@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call, Text
 from ecm_parsers.source.flow import Block, statements
 
-from ecm_extract.infer.effects import Effect, is_plain
+from ecm_extract.infer.effects import Effect, is_plain, perhaps_called
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
 from ecm_extract.infer.run import Frame
@@ -39,6 +39,7 @@ class Calling:
         if waits:
             state = self._anything(self.memory.lost(state, self._followed(state)))
         state = state.having(self.frame.judge.lasting.changed(env, state))
+        state = state.having(self.frame.judge.lent.changed(env, state))
         if waits or own:
             state = self.memory.given_again([key for key in state.holds if self._may_be_changed(key)], state)
         return state
@@ -85,7 +86,8 @@ class Calling:
         lasting = self.frame.judge.lasting.keys(self.frame.env.func, at)
         inner = ((call, self.frame.outline.changed_by_inner(call) - lasting) for call in calls)
         changing = [(call, keys) for call, keys in inner if keys]
-        if len(changing) > 1 or not self.frame.whole:
+        perhaps = set(perhaps_called(self.frame.body[at].value)) if changing else set()
+        if len(changing) > 1 or not self.frame.whole or any(call in perhaps for call, _ in changing):
             return self.memory.lost(state, {key for _, keys in changing for key in keys})
         for call, keys in changing:
             after = {key: self._after(key, key, call, at, env, state) for key in keys}
@@ -101,14 +103,15 @@ class Calling:
         known = [self.frame.judge.members_changed(call, env) if self.frame.whole else None for call in calls]
         changing = [(call, members) for call, members in zip(calls, known, strict=True) if members != {}]
         if len(changing) > 1 or None in known:
-            return self.memory.lost(state, [key]) if key else self._anything(state)
+            return self.memory.lost(state, self.memory.names(key, state)) if key else self._anything(state)
         if not key:
             self.memory.show([member for member in state.holds if member.startswith(".")], state)
         for call, members in changing:
             found = {
                 member: self._after(member, name, call, at, env, state) for member, name in (members or {}).items()
             }
-            state = state.having({member: (held,) for member, held in found.items()})
+            for member, held in found.items():
+                state = self.memory.in_part(member, held, state)
         return state
 
     def _followed(self, state: State) -> list[str]:

@@ -298,3 +298,11 @@ _CHANGED: Final[Mapping[str, Callable[..., Any]]] = MappingProxyType(
         "str": lambda text, more: more + "",
     }
 )
+
+
+def with_character(data: list[object]) -> object:
+    """Return a text with another character at a place."""
+    text, index, char = data
+    if not isinstance(text, str) or not isinstance(index, int) or not isinstance(char, str):
+        return UNKNOWN
+    return text[:index] + char + text[index + 1 :] if len(char) == 1 and 0 <= index < len(text) else UNKNOWN

@@ -59,6 +59,13 @@ class Effect:
     name: str = ""
 
 
+class Lending(Protocol):
+    """Who knows which functions are handed to those that only call them."""
+
+    def is_lent(self, call: Call, func: Func, index: int) -> bool:
+        """Tell whether a function of the tree does nothing with an argument of a call in another one but call it."""
+
+
 class Targets(Protocol):
     """Who knows which function of the tree a call means."""
 
@@ -73,6 +80,13 @@ class Targets(Protocol):
 
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++ means a variable of a namespace."""
+
+    def shown_part(self, call: Call, func: Func) -> Expr | None:
+        """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
+
+    @property
+    def lent(self) -> Lending:
+        """Who knows which functions are handed to those that only call them."""
 
     @property
     def exceptions(self) -> Exceptions:
@@ -106,7 +120,14 @@ class Effects:
 
     def key(self, expr: Expr | None) -> str:
         """Return the key of the variable that an expression is, empty for none."""
-        return key_of(expr, self.own, self.is_member)
+        return key_of(self.reached(expr), self.own, self.is_member)
+
+    def reached(self, expr: Expr | None) -> Expr | None:
+        """Return a field as one of the part that it is reached through: `box.topic.name` for `box.inner().name`."""
+        if self.python or not isinstance(expr, Member) or not isinstance(expr.base, Call | Member):
+            return expr
+        part = self.targets.shown_part(expr.base, self.func) if isinstance(expr.base, Call) else self.reached(expr.base)
+        return expr if part is None or part is expr.base else Member(part, expr.name)
 
     def root(self, expr: Expr | None) -> str:
         """Return the key of the variable that an expression reaches into, empty for none."""
@@ -140,7 +161,7 @@ class Effects:
             self._known[at] = ()  # who asks in a circle
             statement = self.func.fact.body[at]
             found = [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
-            perhaps = frozenset(_perhaps_called(statement.value)) if found else frozenset()
+            perhaps = frozenset(perhaps_called(statement.value)) if found else frozenset()
             known = self._known[at] = tuple(
                 [_if_called(effect) if effect.call in perhaps else effect for effect in found]
             )
@@ -284,15 +305,15 @@ def is_plain(expr: Expr | None) -> bool:
     return isinstance(expr, Op) and expr.op in {"%", "-", "*", "/", "//", "==", "!=", "<", ">", "!", "format"}
 
 
-def _perhaps_called(expr: Expr | None) -> Iterator[Call]:
+def perhaps_called(expr: Expr | None) -> Iterator[Call]:
     """Yield the calls that a value makes on one side of a choice only: `a.pop() if a else b`."""
     if isinstance(expr, Op) and expr.op in {"?:", "&&", "||"}:
-        yield from _perhaps_called(expr.operands[0])
+        yield from perhaps_called(expr.operands[0])
         for side in expr.operands[1:]:
             yield from calls_in(side)
         return
     for part in children(expr) if expr is not None else ():
-        yield from _perhaps_called(part)
+        yield from perhaps_called(part)
 
 
 def _if_called(effect: Effect) -> Effect:

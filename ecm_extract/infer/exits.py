@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
-from ecm_extract.infer.held import State
+from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.kinds import Kind, any_fits
 from ecm_extract.infer.routes import Fitting, Raising
 from ecm_extract.infer.run import Frame, Raised
@@ -68,22 +68,29 @@ class Exits:
     def thrown(self, state: State, spelled: str) -> None:
         """Note a state in which something is raised, by its type as written; without one, what is handled."""
         again = self._handling[-1] if self._handling and not spelled else None
-        self.raised(state, self._frame.judge.exceptions.kind(spelled, self._frame.env.func) if spelled else again)
+        what = self._frame.judge.exceptions.kind(spelled, self._frame.env.func) if spelled else again
+        self.raised(state, what, self._made(state) if spelled else None)
 
-    def raised(self, state: State, what: Kind | Raising | None) -> None:
+    def _made(self, state: State) -> Held:
+        """What the statement at hand makes, which is raised behind it."""
+        at = self._frame.at
+        return Held("caught", "", self._frame.body[at].value, self._frame.place(state), at)
+
+    def raised(self, state: State, what: Kind | Raising | None, made: Held | None = None) -> None:
         """Note a state in which something surely raises: it goes on in the first handler that is for it."""
+        made = Held("caught", "", None, what.env) if isinstance(what, Raising) else made
         passing: State | None = state
         for around in reversed(self._around):
             if not around.handlers:
-                around.passing.append(Raised(state, what))
+                around.passing.append(Raised(state, what, made))
                 return
             for handler in around.handlers:
-                passing = self._past(handler, Raised(passing, what)) if passing is not None else None
+                passing = self._past(handler, Raised(passing, what, made)) if passing is not None else None
             if passing is None:
                 return
             state = passing
         if not self._frame.later:
-            self._frame.run.raised.append(Raised(state, what))
+            self._frame.run.raised.append(Raised(state, what, made))
 
     def may_raise(self, state: State) -> None:
         """Note a state in which something may raise, nobody knows what: any handler around may go on."""

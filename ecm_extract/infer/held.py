@@ -36,6 +36,7 @@ How = Literal[
     "after",
     "entered",
     "met",
+    "caught",
 ]
 
 
@@ -53,7 +54,8 @@ class Held:
             somebody who may have changed what it consists of; `looped`: what it held before a loop or after a round
             of it (`before`); `after` a method that may have changed it (`expr` the call, `name` the member in it);
             `entered`: what it held where somebody called the function (`env`, `before`); `met`: what it held on one of
-            several routes (`parts`), of which not all may be taken.
+            several routes (`parts`), of which not all may be taken; `caught`: an exception, which `expr` makes, or the
+            statement of `env` raises.
         name: the variable, for messages and patterns; of `out` the parameter.
         env: where the expressions are evaluated.
         at: statement that made it so; -1 for none.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Lambda, Name
@@ -15,25 +15,31 @@ if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
 
 
-def only_called(func: Func, inner: Sequence[Func]) -> Iterator[Func]:
-    """Yield those that are only called by name, and have no copies of variables that they change.
+Lends = Callable[[Call, int], bool]
+"""Tells whether who gets an argument of a call does nothing with it but call it."""
+
+
+def only_called(func: Func, inner: Sequence[Func], lends: Lends) -> Iterator[Func]:
+    """Yield those that are only called, by name or by who is lent them, and have no copies of what they change.
 
     Args:
         func: the function around.
         inner: the functions that are declared in it.
+        lends: tells which arguments are only called.
     """
-    yield from (entry for entry in called_by_name(func, inner) if "mutable" not in entry.fact.traits)
+    yield from (entry for entry in called_by_name(func, inner, lends) if "mutable" not in entry.fact.traits)
 
 
-def called_by_name(func: Func, inner: Sequence[Func]) -> Iterator[Func]:
+def called_by_name(func: Func, inner: Sequence[Func], lends: Lends = lambda call, index: False) -> Iterator[Func]:
     """Yield those that the function itself calls by name, and that nobody else gets: not even one another.
 
     Args:
         func: the function around.
         inner: the functions that are declared in it.
+        lends: tells which arguments are only called, and so given to nobody.
     """
     names = Counter(entry.fact.name for entry in inner)
-    handed = {name for statement in func.fact.body for name in _handed(statement)}
+    handed = {name for statement in func.fact.body for name in _handed(statement, lends)}
     handed |= {name for entry in inner for statement in entry.fact.body for name in _named(statement)}
     for entry in inner:
         name = entry.fact.name
@@ -41,22 +47,38 @@ def called_by_name(func: Func, inner: Sequence[Func]) -> Iterator[Func]:
             yield entry
 
 
-def _handed(statement: Statement) -> Iterator[str]:
+def function_named(expr: Expr | None) -> str:
+    """Return the name of the function that an expression is, empty for what is none."""
+    return expr.name if isinstance(expr, Lambda) else expr.id if isinstance(expr, Name) else ""
+
+
+def _handed(statement: Statement, lends: Lends) -> Iterator[str]:
     """The names in a statement that are no callees; what runs later hands all of its own."""
-    if statement.deferred:
+    value = statement.value
+    if statement.deferred or (isinstance(value, Lambda) and statement.target == Name(value.name)):
         yield from _named(statement)
-    elif statement.value is not None:
-        yield from _not_called(statement.value)
+    elif value is not None:
+        yield from _not_called(value, lends)
 
 
-def _not_called(expr: Expr) -> Iterator[str]:
+def _not_called(expr: Expr, lends: Lends) -> Iterator[str]:
     if isinstance(expr, Name):
         yield expr.id
     elif isinstance(expr, Lambda):
-        yield from _all(expr)
+        yield from (expr.name, *_all(expr))
     called = isinstance(expr, Call) and isinstance(expr.callee, Name)
+    lent = _lent(expr, lends) if isinstance(expr, Call) else ()
     for part in children(expr)[1:] if called else children(expr):
-        yield from _not_called(part)
+        if any(part is each for each in lent):
+            yield from _all(part.body) if isinstance(part, Lambda) and part.body is not None else ()
+        else:
+            yield from _not_called(part, lends)
+
+
+def _lent(call: Call, lends: Lends) -> list[Expr]:
+    """The arguments of a call that may be functions and are only called."""
+    given = ((index, arg) for index, arg in enumerate(call.args) if isinstance(arg, Lambda | Name))
+    return [arg for index, arg in given if lends(call, index)]
 
 
 def _named(statement: Statement) -> Iterator[str]:

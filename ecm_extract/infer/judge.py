@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
 
-from ecm_extract.infer.effects import Targets
+from ecm_extract.infer.effects import Lending, Targets
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.routes import Fork, Verdict
@@ -30,12 +30,26 @@ class Lasting(Protocol):
         """Return what one holds when a function begins; None of other variables, and where that is not known."""
 
 
+class Lent(Lending, Protocol):
+    """Who follows what functions change which are handed to the one at hand."""
+
+    def keys(self, env: Env, at: int) -> Set[str]:
+        """Return the variables, by key, that a statement changes by calling what its function was handed."""
+
+    def changed(self, env: Env, state: State) -> Mapping[str, tuple[Held, ...]]:
+        """Return what such calls of a statement leave these variables with, by key."""
+
+
 class Judge(Targets, Protocol):
     """Who evaluates expressions for a run."""
 
     @property
     def lasting(self) -> Lasting:
         """Who follows variables that outlive a call."""
+
+    @property
+    def lent(self) -> Lent:
+        """Who follows what functions change which are handed to the one at hand."""
 
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""

@@ -28,11 +28,9 @@ class Looping:
 
     def run(self, loop: Loop, state: State) -> State | None:
         """Run a loop; None when no way leads out of it."""
-        if not self.frame.unrolls:
-            return self._blur(loop, state)
-        if loop.each >= 0:
+        if loop.each >= 0 and self.frame.follows:
             return self._over(loop, state)
-        return self._while(loop, state) if loop.test is not None else self._blur(loop, state)
+        return self._while(loop, state) if loop.test is not None and self.frame.unrolls else self._blur(loop, state)
 
     def _over(self, loop: Loop, state: State) -> State | None:
         each = self.frame.body[loop.each]

@@ -9,6 +9,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, statements
 
 from ecm_extract.infer.held import Held, How, State
+from ecm_extract.infer.places import wholes
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.sharing import Sharing
 
@@ -90,7 +91,21 @@ class Memory:
         if held.length >= MAX_LENGTH:
             self.frame.judge.settle(held)
         ways = (held,)
+        if held.how == "lost":
+            for name in alike:
+                state = self.parts_lost(name, state)
         return self.reached(others, state).having(dict.fromkeys(alike, ways))
+
+    def names(self, key: str, state: State) -> set[str]:
+        """Return all names of what a name means."""
+        return self.sharing.alike(key, state) if self.frame.python else self.sharing.names_of(key)
+
+    def in_part(self, key: str, held: Held, state: State) -> State:
+        """Give a field of an object something to hold, for all names of the object; a member of the own one has one."""
+        keys = {key}
+        for whole in wholes(key):
+            keys |= {name + key.removeprefix(whole) for name in self.names(whole, state)}
+        return state.having(dict.fromkeys(keys, (held,)))
 
     def exchanged(self, key: str, ways: tuple[Held, ...], state: State) -> State:
         """Give a variable of C++ what another one held; who may be changed any time is not known any more."""
@@ -128,6 +143,7 @@ class Memory:
         found: set[str] = set()
         for at in statements(block):
             found |= self._changed_by(at) | self.frame.judge.lasting.keys(self.frame.env.func, at)
+            found |= self.frame.judge.lent.keys(self.frame.env, at)
         return found
 
     def _refer(self, let: Statement) -> None:

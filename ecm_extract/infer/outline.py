@@ -12,8 +12,8 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
-from ecm_extract.infer.inner import only_called
-from ecm_extract.infer.places import own_names
+from ecm_extract.infer.inner import function_named, only_called
+from ecm_extract.infer.places import caught_names, own_names, target_of
 from ecm_extract.infer.raising import may_raise
 from ecm_extract.infer.raising_calls import unpacks
 from ecm_extract.infer.unpacking import unstarred
@@ -52,7 +52,8 @@ class Outline:
     @cached_property
     def changes(self) -> Mapping[str, int]:
         """Variable -> how many times the body changes it."""
-        return Counter(key for keys in self._changed for key in keys) + Counter(self.escaped)
+        changed = Counter(key for keys in self._changed for key in keys) + Counter(self.escaped)
+        return changed + Counter(caught_names(self.block)) if self.python else changed
 
     @cached_property
     def given(self) -> Set[str]:
@@ -64,7 +65,7 @@ class Outline:
         return frozenset(found | {effect.key for effect in effects if effect.kind != "handed"} | self.escaped)
 
     def _assigned(self, statement: Statement) -> Iterator[str]:
-        return self.bound_keys(statement.target) if statement.kind != "do" else iter(())
+        return self.bound_keys(target_of(statement)) if statement.kind != "do" else iter(())
 
     def is_one(self, key: str) -> bool:
         """Tell whether a name of C++ means one local variable throughout the body: no block hides it by another."""
@@ -108,13 +109,21 @@ class Outline:
         """The functions within it that it does nothing with but call, with the variables that they change."""
         if self.func.fact.name == "<module>":  # whose functions anybody can call
             return {}
-        found = {func: frozenset(self._changed_inside(func)) for func in only_called(self.func, self.inner)}
+        called = only_called(self.func, self.inner, self._lends)
+        found = {func: frozenset(self._changed_inside(func)) for func in called}
         return {func: keys for func, keys in found.items() if self._are_followed(func, keys)}
+
+    def _lends(self, call: Call, index: int) -> bool:
+        """Whether an argument is a function that is declared here, which the function that gets it only calls."""
+        own = any(function_named(call.args[index]) == func.fact.name for func in self.inner)
+        return own and self.effects.targets.lent.is_lent(call, self.func, index)
 
     def _are_followed(self, func: Func, keys: Set[str]) -> bool:
         """Whether what a function within it changes are variables that nobody hands to it as well, by reference."""
-        calls = (call for group in self.func.calls for call in group if call.callee == Name(func.fact.name))
-        handed = {self.effects.root(arg) for call in calls for arg in call.args} if not self.python else set()
+        calls = [call for group in self.func.calls for call in group]
+        named = [call for call in calls if call.callee == Name(func.fact.name)] if not self.python else []
+        named += [call for call in calls if _is_given(call, func)]
+        handed = {self.effects.root(arg) for call in named for arg in call.args}
         shared = (keys & handed) | ((keys | handed) & self._references)
         return not shared and not any(key.startswith(".") for key in keys)
 
@@ -192,12 +201,15 @@ class Outline:
         found |= {self.effects.key(target) or self.effects.root(target) for target, _, _ in self.reads.get(at, ())}
         found |= {key for call in self.func.calls[at] for key in self.changed_by_inner(call)}
         if statement.kind != "do":
-            found |= set(self.bound_keys(statement.target))
+            found |= set(self.bound_keys(target_of(statement)))
         return frozenset(found - {""})
 
     def changed_by_inner(self, call: Call) -> Set[str]:
-        """Return the variables that a call of a function which is declared here changes."""
-        return next((keys for func, keys in self.captured.items() if call.callee == Name(func.fact.name)), frozenset())
+        """Return the variables that a call changes of a function which is declared here, or of who is lent one."""
+        found = (
+            keys for func, keys in self.captured.items() if call.callee == Name(func.fact.name) or _is_given(call, func)
+        )
+        return frozenset().union(*found)
 
     def bound_keys(self, target: Expr | None) -> Iterator[str]:
         """Yield the variables that an assignment to a target changes."""
@@ -228,6 +240,11 @@ class Outline:
         lets = [entry for entry in body if entry.kind == "let" and entry.target == Name(effect.key)]
         fixed = all(isinstance(entry.value, Text) and ("*" in entry.type or entry.type == "auto") for entry in lets)
         return effect.kind == "handed" and bool(lets) and fixed
+
+
+def _is_given(call: Call, func: Func) -> bool:
+    """Whether a function is an argument of a call."""
+    return any(function_named(arg) == func.fact.name for arg in call.args)
 
 
 def _given_away(expr: Expr | None) -> Iterator[Expr]:

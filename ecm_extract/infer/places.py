@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Set
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
-from ecm_parsers.source.facts import Function
+from ecm_parsers.source.facts import Function, Statement
+from ecm_parsers.source.flow import Attempt, Block, blocks
 
 from ecm_extract.infer.unpacking import unstarred
 
@@ -19,7 +20,18 @@ def own_names(function: Function, python: bool) -> frozenset[str]:
     for statement in function.body:
         if statement.kind in {"let", "each"} or (python and statement.kind == "set"):
             names.update(_bound(statement.target))
+    names.update(caught_names(function.flow) if python else ())
     return frozenset(names - set(function.shared))
+
+
+def caught_names(block: Block) -> Iterator[str]:
+    """Yield the variables that handlers have exceptions in, once for each handler."""
+    for step in block:
+        if isinstance(step, Attempt):
+            yield from (handler.name for handler in step.handlers if handler.name)
+        if not isinstance(step, int):
+            for inner in blocks(step):
+                yield from caught_names(inner)
 
 
 def _bound(target: Expr | None) -> Iterator[str]:
@@ -52,6 +64,12 @@ def key_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> s
     return ""
 
 
+def target_of(statement: Statement) -> Expr | None:
+    """Return what a statement binds: an initialiser means the member, whatever the constructor calls its parameters."""
+    target = statement.target
+    return Member(_THIS, target.id) if statement.kind == "init" and isinstance(target, Name) else target
+
+
 def root_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> str:
     """Return the key of the variable that an expression reaches into: `table` of `table["a"].back()`."""
     while expr is not None:
@@ -71,6 +89,12 @@ def whole_of(expr: Expr) -> Expr | None:
     if isinstance(expr, Call) and expr.callee == _GET and len(expr.args) == 1:
         return expr.args[0]
     return expr.callee.base if isinstance(expr, Call) and isinstance(expr.callee, Member) else None
+
+
+def wholes(key: str) -> list[str]:
+    """Return the objects that a field lies in, by key; the object at hand has none."""
+    parts = key.split(".")
+    return [".".join(parts[:count]) for count in range(1, len(parts)) if parts[0]]
 
 
 def as_written(key: str) -> Expr:

@@ -27,10 +27,14 @@ MAX_STEPS = 4_000
 
 
 class Raised(NamedTuple):
-    """A state in which something raises, and what: by type, or by the statement; None where that is not known."""
+    """A state in which something raises, and what: by type, or by the statement; None where that is not known.
+
+    `made` is the exception, as a variable holds it; None where nothing tells how it was made.
+    """
 
     state: State
     what: Kind | Raising | None
+    made: Held | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -87,9 +91,14 @@ class Frame:
         self.rounds = 0
 
     @property
+    def follows(self) -> bool:
+        """Whether loops over what is known are run round by round, those within a round that stands for all too."""
+        return self.whole and self.steps <= MAX_STEPS
+
+    @property
     def unrolls(self) -> bool:
-        """Whether loops are run round by round."""
-        return self.whole and not self.blurred and self.steps <= MAX_STEPS
+        """Whether loops that ask a condition are run round by round."""
+        return self.follows and not self.blurred
 
     def place(self, state: State) -> Env:
         """Return the place of the statement at hand, in a state."""

@@ -109,6 +109,7 @@ class Linker:
         also, plugins = (*observation_forms(), *SUMMARIES), plugins_of(self.program, registry)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
         self.handles = Handles(self.folder, HostArguments(self.sites))
+        self.folder.prefixes = self.handles.prefix
         self.typing = EndpointTypes(self.folder, self.types)
         self.names = NodeNames(self.folder, self.sites)
         self.generated = GeneratedParameters(self.program, packages)

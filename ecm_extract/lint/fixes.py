@@ -8,11 +8,12 @@ from difflib import unified_diff
 
 import msgspec
 from ecm_checker.finding import Depend, Finding, Rename
+from ecm_parsers.xml_tree import children, line_of, parse_xml
 
 from ecm_extract.lint.workspace import Workspace
 
-_HEAD = re.compile(r"^\s*<(?:version|license|author|url)\b.*</\w+>\s*$")
-_DEPENDENCY = re.compile(r"^(?P<indent>\s*)<(?:exec_depend|run_depend|depend|build_depend|buildtool_depend)>")
+_HEAD = frozenset({"author", "license", "url", "version"})
+_DEPENDENCIES = frozenset({"build_depend", "buildtool_depend", "depend", "exec_depend", "run_depend"})
 
 
 class Fix(msgspec.Struct, frozen=True):
@@ -63,17 +64,20 @@ def _declared(edit: Depend, subject: str, workspace: Workspace) -> Fix | None:
     if package is None or package.manifest is None or path is None or data is None:
         return None
     lines = data.decode("utf-8", "replace").splitlines()
-    last = _last(lines, _DEPENDENCY) or _last(lines, _HEAD)
+    last = _last(data, lines, _DEPENDENCIES) or _last(data, lines, _HEAD)
     if last is None:
         return None
-    match = _DEPENDENCY.match(lines[last])
     tag = "run_depend" if package.manifest.format == 1 else "exec_depend" if edit.need == "run" else "depend"
-    indent = match["indent"] if match is not None else "  "
-    return Fix(path, last + 1, lines[last], f"{indent}<{tag}>{edit.package}</{tag}>", insert=True)
+    before = lines[last - 1]
+    indent = before[: len(before) - len(before.lstrip())]
+    return Fix(path, last, before, f"{indent}<{tag}>{edit.package}</{tag}>", insert=True)
 
 
-def _last(lines: list[str], pattern: re.Pattern[str]) -> int | None:
-    return next((at for at in range(len(lines) - 1, -1, -1) if pattern.match(lines[at])), None)
+def _last(data: bytes, lines: list[str], tags: frozenset[str]) -> int | None:
+    """The line of the last element of some tags that ends on the line where it begins."""
+    root = parse_xml(data).root
+    found = [(line_of(element), tag) for tag, element in children(root) if tag in tags] if root is not None else []
+    return max((line for line, tag in found if lines[line - 1].rstrip().endswith(f"</{tag}>")), default=None)
 
 
 def _line(path: str, number: int, workspace: Workspace) -> str | None:

@@ -12,6 +12,7 @@ from ecm_parsers.cmake_tokens import Command, parse_commands
 from ecm_parsers.launch.model import Action, Include, LaunchFile
 from ecm_parsers.launch.templates import all_actions
 from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.robot_names import is_whole_robot
 
 from ecm_extract.assemble.contracts import assemble
 from ecm_extract.collector import without_collector
@@ -209,8 +210,7 @@ class Workspace:
         return [read_description(path, {}, files) for path in paths[:MAX_DESCRIPTIONS]]
 
     def _is_robot(self, path: str) -> bool:
-        data = self.beside.files.read(path) or b""
-        return b"<robot" in data and b"<macro" not in data and b":macro" not in data
+        return self.beside.files.parsed(path, is_whole_robot) is True
 
     def leave_out(self, paths: Iterable[str], what: str) -> None:
         """Tell of files that are beyond the number that one run judges, so that nothing found is not nothing there."""

@@ -10,9 +10,10 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 from typing import Final
 
+from ecm_extract.lint.source_text import texts_in
 from ecm_extract.lint.workspace import Workspace
 
-_TEXT: Final = re.compile(rb"[\"'](?:~/?|/)?([A-Za-z][\w/]*)[\"']")
+_NAME: Final = re.compile(r"(?:~/?|/)?([A-Za-z][\w/]*)", re.ASCII)
 _RUNS: Final = frozenset({"node", "nodelet", "component"})
 """Kinds of modules that run by themselves; others are handed the node that they declare their names with."""
 CALL_LINES: Final = 3
@@ -47,10 +48,11 @@ class WrittenNames:
 
     def _unexplained(self, package: str) -> Iterator[str]:
         facts = self._workspace.by_name.get(package)
-        for path in facts.sources if facts is not None else ():
-            for at, line in enumerate((self._workspace.files.read(path) or b"").splitlines(), 1):
-                names = (match.decode() for match in _TEXT.findall(line))
-                yield from (name for name in names if (path, at, name) not in self._explained)
+        for path, source in facts.sources.items() if facts is not None else ():
+            for text in texts_in(self._workspace.files.read(path) or b"", source.language):
+                found = _NAME.fullmatch(text.value)
+                if found is not None and (path, text.line, found[1]) not in self._explained:
+                    yield found[1]
 
 
 def _remaps_parameters(workspace: Workspace, package: str) -> bool:

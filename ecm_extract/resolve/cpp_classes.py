@@ -45,6 +45,12 @@ class CppClasses:
         found = self._within(name, "", self._views.of(file))
         return External(name) if found is None else found
 
+    def readings(self, name: str, file: File, scope: str) -> Iterator[str]:
+        """Yield the qualified names that a name can have in a scope, innermost first; the tree may lack them."""
+        for view in self._seen(file):
+            for level in self._scopes.levels(name, scope, view):
+                yield from level
+
     def alias(self, name: str, file: File, scope: str) -> str | None:
         """Return what the alias stands for that a name means; None of other names and where several are meant."""
         for view in self._seen(file):

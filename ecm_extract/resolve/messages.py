@@ -6,7 +6,7 @@ has its definition, or the file sees the header that is generated from it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Final
 
 from ecm_checker.match.generated import snake
@@ -16,6 +16,8 @@ from ecm_extract.resolve.cpp_scopes import enclosing_scopes
 from ecm_extract.resolve.layout import PackageLayout
 
 KINDS: Final = frozenset({"msg", "srv", "action"})
+_PARTS: Final = ("ActionGoal", "ActionResult", "ActionFeedback", "Action", "Goal", "Result", "Feedback")
+"""Ends of the messages that ROS 1 generates of an action, the longest first."""
 
 
 class Messages:
@@ -39,6 +41,21 @@ class Messages:
             if package and self._has(package, kind, last, file):
                 return f"{package}::{name}"
         return None
+
+    def starred(self, name: str, modules: Sequence[str]) -> str | None:
+        """Return which of the modules of messages that are taken whole, one after the other, brings a name last.
+
+        What packages of the tree define is known; of several others each can bring the name, and then it is None.
+        """
+        unknown: list[str] = []
+        for module in dict.fromkeys(reversed(modules)):
+            package, _, kind = module.rpartition(".")
+            layout = self._layouts.get(package)
+            if layout is None or not layout.messages:
+                unknown.append(module)
+            elif _defines(layout, kind, name):
+                return None if unknown else module
+        return unknown[0] if len(unknown) == 1 else None
 
     def constant(self, name: str, file: File, scope: str) -> str | float | None:
         """Return the constant of a message that a name means, aliases put in; None of other names.
@@ -71,3 +88,10 @@ class Messages:
         header = f"{package}/{kind}/{snake(name)}."
         files = (file, *self._included(file))
         return any(entry.module.startswith(header) for each in files for entry in each.facts.imports)
+
+
+def _defines(layout: PackageLayout, kind: str, name: str) -> bool:
+    """Whether a package has a message, or an action of which ROS 1 generates that message."""
+    actions = {each.partition("/")[2] for each in layout.messages if each.startswith("action/")}
+    part = next((name.removesuffix(end) for end in _PARTS if name.endswith(end)), "") if kind == "msg" else ""
+    return f"{kind}/{name}" in layout.messages or part in actions

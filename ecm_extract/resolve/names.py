@@ -69,6 +69,10 @@ class Names:
         """Return what the alias stands for that a C++ name means."""
         return self._classes.alias(name, file, scope) if file.language != "python" else None
 
+    def readings(self, name: str, file: File, scope: str) -> Iterable[str]:
+        """Return the qualified names that a name can have in a scope of a C++ file, also of what the tree lacks."""
+        return dict.fromkeys(self._classes.readings(name, file, scope))
+
     def spelled_out(self, name: str, file: File) -> str:
         """Return a C++ name with what the alias in front of it stands for."""
         return self._classes.spelled_out(name, file)

@@ -6,7 +6,9 @@ A header is compiled as part of the sources that include it, so that it may use 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import combinations
 
 from ecm_extract.link.code.units import File
 from ecm_extract.resolve.headers import Headers
@@ -21,10 +23,26 @@ class View:
         for file in self.files:
             for using in file.facts.usings:
                 found[using.where].add(using.namespace)
+            for scope, namespace in _within_used(file):
+                if namespace in self._namespaces:
+                    found[scope].add(namespace)
         self.usings: Mapping[str, Sequence[str]] = {scope: sorted(names) for scope, names in found.items()}
 
     def __contains__(self, file: File) -> bool:
         return file in self.files
+
+    @cached_property
+    def _namespaces(self) -> frozenset[str]:
+        """The scopes in which the files declare classes and functions."""
+        classes = {each.scope for file in self.files for each in file.facts.classes}
+        return frozenset(classes.union(each.scope for file in self.files for each in file.facts.functions))
+
+
+def _within_used(file: File) -> Iterator[tuple[str, str]]:
+    """`using namespace a; using namespace b;` may mean `a::b` (C++, basic.lookup.udir): scope and that name."""
+    for earlier, later in combinations(file.facts.usings, 2):
+        if earlier.where == later.where:
+            yield later.where, f"{earlier.namespace}::{later.namespace}"
 
 
 class Views:

@@ -15,7 +15,9 @@ from ecm_parsers.xml_tree import children, line_of, local_name, parse_xml
 
 MAX_NAMES = 5_000
 _TESTS = frozenset({"if", "unless"})
-_AROUND = frozenset({"robot", "macro", "if", "unless"})
+_ROBOT = "robot"
+_MACRO = "macro"
+_AROUND = frozenset({_ROBOT, _MACRO, "if", "unless"})
 """Elements between the root and a link; `<link>` elsewhere is one of a simulator or a planning group."""
 
 
@@ -54,6 +56,14 @@ class RobotNames(msgspec.Struct, frozen=True):
     commands: tuple[NamedLine, ...] = ()
     parents: tuple[NamedLine, ...] = ()
     includes: tuple[NamedLine, ...] = ()
+
+
+def is_whole_robot(data: bytes) -> bool:
+    """Tell whether a file holds a robot and defines no macros for others; one that is refused may be a robot."""
+    tree = parse_xml(data)
+    if tree.root is None:
+        return any(each.cut for each in tree.diagnostics)
+    return local_name(tree.root) == _ROBOT and all(local_name(each) != _MACRO for each in tree.root.iter(etree.Element))
 
 
 def parse_robot_names(data: bytes) -> Parsed[RobotNames]:

@@ -170,3 +170,18 @@ def test_rows_of_ecm_toml_are_forms(workspace: Any) -> None:
     workspace.package({"src/demo.cpp": CPP2.format(body='open_topic<std_msgs::msg::String>("own");')})
     (workspace.root / "ecm.toml").write_text(row)
     assert workspace.only("publisher").name == "/own"
+
+
+def test_a_macro_of_the_file_is_what_it_stands_for(workspace: Any) -> None:
+    """Endpoints that a macro with parameters makes are told, each at the line of its call."""
+    macro = """#define PUB(var, type, topic, ...) \\
+  do { RCLCPP_INFO(get_logger(), "Advertise %s (" #type ")", (topic).c_str()); \\
+       var = this->create_publisher<type>(topic, __VA_ARGS__); } while (0)
+"""
+    body = 'PUB(one_, std_msgs::msg::String, ns_ + "/one", 10);\n    PUB(two_, std_msgs::msg::Bool, ns_ + "/two", 5);'
+    text = CPP2.format(body=body).replace("held_;", 'held_; std::string ns_ = "own";')
+    found = workspace.package({"src/demo.cpp": macro + text}).interfaces()
+    assert [(one.name, one.type, one.qos.depth, one.evidence[0].line) for one in found] == [
+        ("/own/one", "std_msgs/msg/String", 10, 9),
+        ("/own/two", "std_msgs/msg/Bool", 5, 10),
+    ]

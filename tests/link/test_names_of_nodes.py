@@ -103,3 +103,11 @@ if __name__ == "__main__":
     main()
 """
     assert workspace.package({"pkg/d.py": text}).only("subscriber").name == "/asked"
+
+
+def test_a_node_below_a_node_of_its_own_name(workspace: Any) -> None:
+    """`create_sub_node(get_name())` puts names where private ones are."""
+    text = NODE.format(setup="auto sub = create_sub_node(get_name());", name='"x"', member="").replace(
+        "auto a = create_publisher", "auto a = sub->create_publisher"
+    )
+    assert workspace.package({"src/d.cpp": text}).only("publisher").name == "/demo/x"

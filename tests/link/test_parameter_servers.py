@@ -105,9 +105,30 @@ def test_two_servers_of_one_file_give_parameters_twice(workspace: Any) -> None:
     assert {entry.confidence for entry in found} == {"one_of"}
 
 
+DECLARED = [
+    'dynamic_reconfigure::Server<pkg::DemoConfig> server_ {mutex_, ros::NodeHandle("limits")};',
+    'dynamic_reconfigure::\n    Server<pkg::DemoConfig>\n    server_ {mutex_, ros::NodeHandle("limits")};',
+    """dynamic_reconfigure::Server<pkg::DemoConfig> server_ {ros::NodeHandle("limits")};
+  dynamic_reconfigure::Server<pkg::DemoConfig>::CallbackType called_;""",
+]
+
+
+@pytest.mark.parametrize("declared", DECLARED)
+def test_a_member_is_made_as_it_is_declared(workspace: Any, declared: str) -> None:
+    """A mutex may stand in front of the handle, a type on several lines; what a server calls a type is no server."""
+    member = f"class Demo {{ public: Demo() {{}} boost::recursive_mutex mutex_; {declared} }};\nint main"
+    text = MAIN.format(handle="").replace("  dynamic_reconfigure::Server<pkg::DemoConfig> server();", "  Demo demo;")
+    files = _catkin("src/demo.cpp", text.replace("int main", member))
+    files["CMakeLists.txt"] += "add_executable(demo src/demo.cpp)\n"
+    found = [entry for entry in workspace.package(files, ros=1).interfaces() if entry.role == "parameter"]
+    assert [(entry.name, entry.confidence) for entry in found] == [("/limits/gain", "literal")]
+
+
 INITIALISED = [
     ('Demo() : server_(ros::NodeHandle("~/limits")) {}', {"/demo/limits/gain"}),
     ("Demo() {}", {"/demo/gain"}),
+    ('Demo() : server_(mutex_, ros::NodeHandle("limits")) {} boost::recursive_mutex mutex_;', {"/limits/gain"}),
+    ("Demo() {} dynamic_reconfigure::Server<pkg::DemoConfig>::CallbackType called_;", {"/demo/gain"}),
     ('Demo() : server_(ros::NodeHandle("~/a")) {} Demo(int x) {}', {"/demo/a/gain", "/demo/gain"}),
 ]
 

@@ -29,8 +29,9 @@ def filled(target: str) -> Files:
 
 
 def converted(target: str) -> Files:
-    body = f"{target} = transform_frame_ned_enu(given); use(b);"
-    return {"src/a.cpp": f"void A::send(int given) {{ {body} }}\n", "CMakeLists.txt": CMAKE.format("a")}
+    declared = "tf::Vector3 transform_frame_ned_enu(const tf::Vector3 &value);\n"
+    sent = f"void A::send(const tf::Vector3 &given) {{ {target} = transform_frame_ned_enu(given); use(b); }}\n"
+    return {"src/a.cpp": declared + sent, "CMakeLists.txt": CMAKE.format("a")}
 
 
 def sensor(name: str) -> Files:

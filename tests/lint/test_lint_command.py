@@ -137,6 +137,18 @@ def test_fix_leaves_the_rest_alone(tmp_path: Path) -> None:
     assert path.read_bytes() == b'<launch>\r\n  <node pkg="demo" exec="base"/>\r\n</launch>\r\n'
 
 
+def test_fix_adds_no_dependency_to_a_comment(tmp_path: Path) -> None:
+    """A dependency goes behind the last one that holds, which ends on its line."""
+    folder = tmp_path / "ws"
+    shutil.copytree(FIXTURES / "LNT004" / "bad", folder)
+    path = folder / "demo" / "package.xml"
+    aside = "  <!--\n  <depend>old</depend>\n  -->\n  <exec_depend>\n    xacro\n  </exec_depend>\n</package>"
+    path.write_text(path.read_text().replace("</package>", aside))
+    run_lint(folder, "--select", "LNT004", "--fix")
+    assert aside in path.read_text()
+    assert run_lint(folder, "--select", "LNT004", "--fail-on", "info") == 0
+
+
 def test_statistics(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """How much there is of what, and how much of it mends itself; the status is that of the findings."""
     assert run_lint(bad, "--statistics") == 1

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ecm_parsers.robot_names import Guard, NamedLine, RobotNames, parse_robot_names
+import pytest
+from ecm_parsers.robot_names import Guard, NamedLine, RobotNames, is_whole_robot, parse_robot_names
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -19,6 +20,22 @@ ARM = b"""<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="arm">
   </xacro:macro>
 </robot>
 """
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (b"<robot name='a'><link name='b'/></robot>", True),
+        (b"<robot name='a'><!-- <xacro:macro name='b'/> --></robot>", True),
+        (b"<!-- <robot/> --><sdf/>", False),
+        (b"<!DOCTYPE a [<!ENTITY b 'c'>]><robot/>", True),
+        (b"", False),
+        (ARM, False),
+    ],
+)
+def test_whole_robots(text: bytes, expected: bool) -> None:
+    """A comment defines no macro, and what is refused may be a robot."""
+    assert is_whole_robot(text) is expected
 
 
 def test_names_are_taken_as_they_stand() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name
 
@@ -10,36 +11,58 @@ from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.walk import calls_in, children
 
 THIS = Name("this")
+Asked = Callable[[str], bool]
+"""What is asked of a method by its name."""
 
 
-def hands_on(call: Call | Invocation, is_method: Callable[[str], bool]) -> bool:
+def hands_on(call: Call | Invocation, is_method: Asked, changes: Asked = lambda name: True) -> bool:
     """Tell whether the arguments of a call are, or hold, the object at hand, a method of it, or a lambda that uses it.
 
     Args:
         call: the call.
         is_method: tells whether the object has a method of a name.
+        changes: tells whether a method of a name may change what is a part of the object.
     """
-    return any(_gives(arg, is_method) for arg in (*call.args, *(value for _, value in call.keywords)))
+    given = _Given(is_method, changes)
+    return any(map(given.gives, (*call.args, *(value for _, value in call.keywords))))
 
 
-def _reaches(call: Call, is_method: Callable[[str], bool]) -> bool:
-    """Whether a call in a lambda runs a method of the object at hand, changes a part of it, or hands it on."""
-    callee = call.callee
-    if isinstance(callee, Member) and callee.base == THIS:
-        return is_method(callee.name) or hands_on(call, is_method)
-    root = callee
-    while isinstance(root, Member):
-        root = root.base
-    return root == THIS or hands_on(call, is_method)
+@dataclass(frozen=True, slots=True)
+class _Given:
+    """What arguments give of the object at hand."""
+
+    is_method: Asked
+    changes: Asked
+
+    def gives(self, expr: Expr) -> bool:
+        """Tell whether an argument gives the object, or a way to it."""
+        if isinstance(expr, Lambda):
+            return expr.body is None or any(map(self._reaches, calls_in(expr.body)))
+        if expr == THIS:
+            return True
+        if isinstance(expr, Member) and expr.base == THIS:
+            return self.is_method(expr.name)
+        if isinstance(expr, Call) and isinstance(expr.callee, Member) and _is_own(expr.callee.base):
+            return self._hands_on(expr)
+        return any(map(self.gives, children(expr)))
+
+    def _hands_on(self, call: Call) -> bool:
+        return any(map(self.gives, (*call.args, *(value for _, value in call.keywords))))
+
+    def _reaches(self, call: Call) -> bool:
+        """Whether a call in a lambda runs a method of the object at hand, changes a part of it, or hands it on."""
+        callee = call.callee
+        if isinstance(callee, Name) and self.is_method(callee.id):
+            return True  # in C++ one of the object at hand
+        if isinstance(callee, Member) and _is_own(callee.base):
+            return self.is_method(callee.name) or self._hands_on(call)
+        root = callee
+        while isinstance(root, Member):
+            root = root.base
+        part = root == THIS and isinstance(callee, Member) and self.changes(callee.name)
+        return part or self._hands_on(call)
 
 
-def _gives(expr: Expr, is_method: Callable[[str], bool]) -> bool:
-    if isinstance(expr, Lambda):
-        return expr.body is None or any(_reaches(call, is_method) for call in calls_in(expr.body))
-    if expr == THIS:
-        return True
-    if isinstance(expr, Member) and expr.base == THIS:
-        return is_method(expr.name)
-    if isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.base == THIS:
-        return hands_on(expr, is_method)
-    return any(_gives(part, is_method) for part in children(expr))
+def _is_own(expr: Expr) -> bool:
+    """Whether a method is called on the object at hand, as one of its base too: `super(Arm, self).name()`."""
+    return expr == THIS or (isinstance(expr, Call) and expr.callee == Name("super"))

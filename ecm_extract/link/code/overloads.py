@@ -38,11 +38,12 @@ def _countable(call: Invocation, func: Func) -> bool:
 
 
 def _deducible(call: Invocation, func: Func) -> bool:
-    """A template parameter that no function parameter mentions must be given at the call."""
-    if call.types or not func.fact.template:
+    """A template parameter that no function parameter mentions must be given at the call; those of its class are."""
+    own = func.own_template
+    if call.types or not own:
         return True
     text = " ".join(parameter.type for parameter in func.fact.params)
-    return not any(name and name not in text for name in func.fact.template[:1])
+    return not any(name and name not in text for name in own[:1])
 
 
 def _is_specialized_so(call: Invocation, func: Func) -> bool:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Set
+from dataclasses import dataclass
 from typing import Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
@@ -35,19 +36,58 @@ def given_to_pointed(last: str, args: tuple[Expr, ...]) -> tuple[Expr, ...]:
     return args[1:] if last in _ALLOCATED else args
 
 
-def is_only_reached_into(name: str, func: Func) -> bool:
-    """Tell whether a function does nothing with a pointer but read and assign the fields of what it points to."""
-    return not any(_gives(name, statement) for statement in func.fact.body)
+def is_only_reached_into(name: str, func: Func, is_followed: Callable[[Call], bool]) -> bool:
+    """Tell whether a function does nothing with a pointer, and its copies, but reach into what it points to.
+
+    Args:
+        name: the variable that the pointer was made for.
+        func: the function.
+        is_followed: tells whether a call on what it points to is one of a method whose changes are followed.
+    """
+    body = func.fact.body
+    copies = {entry.target.id for entry in body if _copies(name, entry) and isinstance(entry.target, Name)}
+    reaching = _Reaching(frozenset({name, *copies}), is_followed)
+    return not any(reaching.gives(each, statement) for each in (name, *copies) for statement in body)
 
 
-def _gives(name: str, statement: Statement) -> bool:
-    if statement.target == Name(name):
-        return statement.kind != "let" or not isinstance(statement.value, Call) or not pointed(statement.value)
-    refers = statement.kind in {"let", "each"} and statement.type.endswith(("&", "*"))
-    reached = any(_is_field(part, name) for part in _parts(statement.value)) if refers else False
-    return reached or any(
-        _is_given(part, name) for expr in (statement.target, statement.value) for part in _parts(expr)
-    )
+def _copies(name: str, statement: Statement) -> bool:
+    """Whether a statement declares another pointer to the same object."""
+    return statement.kind == "let" and statement.value == Name(name) and not statement.type.endswith("&")
+
+
+@dataclass(frozen=True, slots=True)
+class _Reaching:
+    """What a function does with the pointers to one object."""
+
+    names: Set[str]
+    is_followed: Callable[[Call], bool]
+
+    def gives(self, name: str, statement: Statement) -> bool:
+        """Tell whether a statement does anything else with a pointer than to reach into what it points to."""
+        made = isinstance(statement.value, Call) and bool(pointed(statement.value))
+        copied = self._is_one(statement.value)
+        if statement.target == Name(name):
+            return statement.kind != "let" or not (made or copied)
+        if copied and self._is_one(statement.target):
+            return False
+        return self._gives(name, statement)
+
+    def _is_one(self, expr: Expr | None) -> bool:
+        return isinstance(expr, Name) and expr.id in self.names
+
+    def _gives(self, name: str, statement: Statement) -> bool:
+        refers = statement.kind in {"let", "each"} and statement.type.endswith(("&", "*"))
+        reached = any(_is_field(part, name) for part in _parts(statement.value)) if refers else False
+        return reached or any(
+            self._is_given(part, name) for expr in (statement.target, statement.value) for part in _parts(expr)
+        )
+
+    def _is_given(self, part: Expr, name: str) -> bool:
+        """Whether the pointer stands alone, an unknown method is called on it, or the address of a field is taken."""
+        if isinstance(part, Call):
+            return _is_field(part.callee, name) and not self.is_followed(part)
+        taken = isinstance(part, Op) and part.op == "&" and len(part.operands) == 1
+        return part == Name(name) or (taken and isinstance(part, Op) and _is_field(part.operands[0], name))
 
 
 def _parts(expr: Expr | None) -> Iterator[Expr]:
@@ -58,14 +98,6 @@ def _parts(expr: Expr | None) -> Iterator[Expr]:
     for part in children(expr):
         if not (isinstance(expr, Member) and isinstance(part, Name)):
             yield from _parts(part)
-
-
-def _is_given(part: Expr, name: str) -> bool:
-    """Whether the pointer stands alone, a method is called on it, or the address of a field is taken."""
-    if isinstance(part, Call):
-        return _is_field(part.callee, name)
-    taken = isinstance(part, Op) and part.op == "&" and len(part.operands) == 1
-    return part == Name(name) or (taken and isinstance(part, Op) and _is_field(part.operands[0], name))
 
 
 def _is_field(expr: Expr, name: str) -> bool:

@@ -14,6 +14,7 @@ _POINTERS = frozenset(
     {"shared_ptr", "unique_ptr", "scoped_ptr", "optional", "SharedPtr", "UniquePtr", "Ptr", "weak_ptr"}
 )
 _MARKS = str.maketrans("&*[]", "    ")
+_WITHIN_TEMPLATE = re.compile(r">\s*::\s*\w+$")
 _ALIASED = re.compile(r"::(?:Const)?(?:SharedPtr|UniquePtr|Ptr|WeakPtr|SharedConstPtr)$")
 
 
@@ -39,9 +40,13 @@ def last_name(path: str) -> str:
 
 @lru_cache(maxsize=MAX_SPELLINGS)
 def by_value(written: str) -> bool:
-    """Tell whether a variable of a type is an object itself, not a pointer or reference to one."""
+    """Tell whether a variable of a type is an object itself, not a pointer or reference to one.
+
+    Of what a template calls a type, as `Server<T>::CallbackType`, that is not known.
+    """
     text = written.removeprefix("const ").removeprefix("::").rstrip("[]")
-    return text[:1].isalpha() and text != "auto" and not text.endswith(("*", "&")) and pointee(text) == text
+    named = text[:1].isalpha() and text != "auto" and not text.endswith(("*", "&"))
+    return named and pointee(text) == text and _WITHIN_TEMPLATE.search(text) is None
 
 
 @lru_cache(maxsize=MAX_SPELLINGS)

@@ -19,8 +19,9 @@ from ecm_extract.link.code.walk import calls_in
 class File:
     """One source file: its path, the package it belongs to, its facts, where its targets look for headers.
 
-    `targets` are the names of those that compile it; `is_built` is False of a source that none does, as far as the
-    build is known. `inner_classes` are those of Python that stand in other classes, as `Outer::Inner`.
+    `targets` are the names of those that compile it, `all_targets` whether no others do; `is_built` is False of a
+    source that none does, as far as the build is known. `inner_classes` are those of Python that stand in other
+    classes, as `Outer::Inner`.
     """
 
     path: str
@@ -32,6 +33,7 @@ class File:
     include_folders: tuple[str, ...] = ()
     is_built: bool = True
     targets: tuple[str, ...] = ()
+    all_targets: bool = False
 
     @property
     def language(self) -> str:
@@ -63,6 +65,12 @@ class Func:
         for other in self.namesakes:
             if other.cls is None and other.fact.scope == self.fact.scope and other.file.package == self.file.package:
                 yield other
+
+    @property
+    def own_template(self) -> Sequence[str]:
+        """Its template parameters without those of its class, which a definition outside of that repeats."""
+        of_class = self.cls.fact.template if self.cls is not None else ()
+        return [name for name in self.fact.template if name not in of_class]
 
     @property
     def specialized(self) -> tuple[str, ...]:

@@ -104,7 +104,7 @@ def captured(func: Func, use: Invocation, env: Env, folder: Folder) -> Env:
         return env
     handed = given(func, use, env)
     if handed is not None:
-        return handed
+        return folder.lent.place(func, handed, env)
     made = _making(use) if is_returned(func, outer) else None
     if made is None:
         return _nearest(outer, env)

@@ -57,7 +57,7 @@ class Matcher:
         if call.receiver is not None:
             return False
         if form.match == "function":
-            return _qualified(call.path, form.callee)
+            return _qualified(call.path, form.callee) or self._is_brought(form, call, env)
         return self._constructs(form, call, env)
 
     def _named(self, form: Form, call: Invocation) -> bool:
@@ -104,6 +104,20 @@ class Matcher:
         target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
         last = last_name(plain(pointee(target)))
         return last in form.receiver or any(last == entry + "Ptr" for entry in form.receiver)
+
+    def _is_brought(self, form: Form, call: Invocation, env: Env) -> bool:
+        """Whether a function is named by what `using` or an alias brings; the methods of a class hide such names."""
+        program, file = self.folder.program, call.func.file
+        if file.language == "python" or (call.simple and self._is_own(call)):
+            return False
+        brought = program.alias(call.path, file, env.scope) if call.simple else program.spelled_out(call.path, file)
+        return brought is not None and _qualified(plain(brought), form.callee)
+
+    def _is_own(self, call: Invocation) -> bool:
+        """Tell whether the object at hand has a method of the name that a call uses."""
+        own = self.folder.nesting.object_of(call.func)
+        lineage = self.folder.program.ancestry(own) if own is not None else ()
+        return any(method.fact.name == call.last for cls in lineage for method in cls.methods)
 
     def _constructs(self, form: Form, call: Invocation, env: Env) -> bool:
         path = call.path

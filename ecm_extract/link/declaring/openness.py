@@ -13,6 +13,7 @@ from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.declaring.match import handle_argument, name_argument, positions
 from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.running.env import Env
@@ -44,7 +45,7 @@ class Openness:
             params |= found.open
             made |= found.open
         made |= self._redefined(site, names)
-        for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_qos(site), _is_qos)):
+        for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_whole(_qos(site)), _is_qos)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
         return params, made
@@ -103,18 +104,20 @@ class Openness:
         place = self.folder.names.captured_at(name, env) if name else None
         if place is not None:
             return [(expr, place)]
-        return self._initialisers(name, env) if name and not self._accepted(expr, env, accepts) else ()
+        if expr is None or not name or self._accepted(expr, env, accepts):
+            return ()
+        return self._initialisers(expr, env)
 
-    def _initialisers(self, name: str, env: Env) -> Iterator[tuple[Expr | None, Env]]:
+    def _initialisers(self, variable: Expr, env: Env) -> Iterator[tuple[Expr | None, Env]]:
         """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
-        for made in self.folder.origins.makers(Name(name), env) or ():
+        for made in self.folder.origins.makers(variable, env) or ():
             body = made.env.func.fact.body
             statement = body[made.env.at] if 0 <= made.env.at < len(body) else None
             outer = _below(statement) if statement is not None else None
             if outer is not None:
                 yield outer, made.env
             elif statement is not None and statement.kind in _INITIALISING and made.env.func.is_constructor:
-                yield _parent(made.expr, name), made.env
+                yield _parent(made.expr, _variable(variable)), made.env
 
 
 def _parent(expr: Expr, member: str) -> Expr:
@@ -144,6 +147,13 @@ def _qos(site: Site) -> Expr | None:
     return next(positions(site.form.qos, site.call), None) if not site.form.fixed else None
 
 
+def _whole(expr: Expr | None) -> Expr | None:
+    """The variable, or the member of the object at hand, that a profile is a field of; itself where it is none."""
+    while isinstance(expr, Member) and expr.base != Name("this"):
+        expr = expr.base
+    return expr
+
+
 def _is_handle(name: str, func: Func) -> bool:
     """Tell whether a function takes by this name a node handle of ROS 1, or the namespace that one is made of."""
     given = [entry.type for entry in func.fact.params if entry.name == name]
@@ -158,9 +168,11 @@ def _below(statement: Statement) -> Expr | None:
 
 
 def _is_qos(name: str, func: Func) -> bool:
-    """Tell whether a function takes a profile by this name; Python need not write its type."""
-    python = func.file.language == "python"
-    return any(entry.name == name and (python or "qos" in entry.type.lower()) for entry in func.fact.params)
+    """Tell whether a function takes a profile or the length of a queue by this name; Python need not write a type."""
+    given = [entry.type for entry in func.fact.params if entry.name == name]
+    if func.file.language == "python":
+        return bool(given)
+    return any("qos" in written.lower() or declared_type(plain_type(written)) == "integer" for written in given)
 
 
 def _unknown(value: Value) -> Iterator[str]:

@@ -10,13 +10,13 @@ from collections import defaultdict, deque
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from ecm_parsers.source.expr import Expr, Name
+from ecm_parsers.source.expr import Expr
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.option_structs import spread
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.call_targets import CallTargets
-from ecm_extract.link.declaring.closures import around, captured, given, is_of_parameter
+from ecm_extract.link.declaring.closures import given, is_of_parameter
 from ecm_extract.link.declaring.instead import returned_instead
 from ecm_extract.link.declaring.making import Making
 from ecm_extract.link.declaring.match import Matcher, name_argument, positions
@@ -25,6 +25,7 @@ from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.declaring.prefixes import prefixed
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.template_types import TemplateTypes
+from ecm_extract.link.declaring.ways_in import WaysIn
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.call_index import call_index
@@ -75,6 +76,7 @@ class Sites:
         self.openness = Openness(self.folder, types, program.derived)
         aliases = program.aliases.meaning(program.classes, matcher.forms)
         self.making = Making(program, aliases)
+        self.ways = WaysIn(self.folder, self.making, self._types)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *EMPLACING, *also}
         self.calls = call_index(program, wanted, aliases)
         for name, call in list(emplaced(self.calls, self.folder.objects)):
@@ -121,15 +123,18 @@ class Sites:
         """Expand a site over its callers until nothing more is known; without callers it stands as it is."""
         pending = deque([site])
         closed: list[Site] = []
+        widened: set[tuple[object, ...]] = set()
         while pending and len(closed) < MAX_EXPANSIONS:
             current = pending.popleft()
             if self._types.leads_elsewhere(current):
                 continue
             wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
-            if wider:
+            further = (current.certain, current.owner, *((each.chain, each.owner, each.env.this) for each in wider))
+            if not wider:
+                closed.extend(self.ways.in_each_state(current))
+            elif further not in widened:  # states of what was outermost make no difference further out
+                widened.add(further)
                 pending.extend(wider)
-            else:
-                closed.extend(self._in_each_state(current))
         return self._alike_in_all_states(closed)
 
     def _alike_in_all_states(self, sites: Sequence[Site]) -> list[Site]:
@@ -140,25 +145,11 @@ class Sites:
         single = {chain for chain, found in names.items() if len(found) == 1 and all(len(each) == 1 for each in found)}
         return [replace(site, certain=site.certain or site.chain in single) for site in sites]
 
-    def _in_each_state(self, site: Site) -> Iterator[Site]:
-        """A site once for each state in which its call is reached; none where its arguments keep it from that."""
-        if site.chain and not self.folder.flow.is_reached(site.env):
-            return
-        for env, certain in self._places(site.env):
-            yield replace(site, env=env, certain=site.certain and certain)
-
-    def _places(self, env: Env) -> Iterator[tuple[Env, bool]]:
-        """A place once for each state, and whether a run that gets there in one of them does so in all."""
-        places = self.folder.flow.places(env)
-        paths = {self.folder.flow.decisions.turns(place.state) for place in places if place.state is not None}
-        for place in places:
-            yield place, len(paths) <= 1
-
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self.openness.of(site, self.names(site))
         given = site.root.given
         around = {name for func in self.folder.nesting.around(site.root) for name in func.given}
-        if params & (given | set(site.root.fact.template)) or (params | made) & around:
+        if params & (given | set(site.root.own_template)) or (params | made) & around:
             if site.form.row.value and site.root not in self._remembered:
                 self._remembered.add(site.root)
                 self._remember_wrapper(site)
@@ -201,7 +192,7 @@ class Sites:
         for call in self._dead.without(self.callers(root)):
             if call in passed:
                 continue
-            for outer, certain in self._places(self.root_env(call.func, call.at)):
+            for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
                 wider = self._through(replace(site, certain=site.certain and certain), call, outer)
                 if is_of_parameter(call):
                     handing = self._callers(wider)
@@ -236,55 +227,17 @@ class Sites:
 
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""
-        env = self._enter(call, self._first(site), outer)
+        env = self.ways.enter(call, self._first(site), outer)
         return self._widened(site, call, outer, env)
 
     def _widened(self, site: Site, call: Invocation, outer: Env, root: Env) -> Site:
         """The same site, seen from one call further out."""
-        *places, env = self._inside(site, root)
+        *places, env = self.ways.inside(site, root)
         chain, owner = (call, *site.chain), call.func.holder
         return Site(site.form, site.call, env, chain, owner, call.func, (outer, *places), site.certain)
 
     def _first(self, site: Site) -> Invocation:
         return site.chain[0] if site.chain else site.call
-
-    def _inside(self, site: Site, root: Env) -> list[Env]:
-        """Walk from the outermost function, whose place is given, to the form itself: the place of each call."""
-        found = [root]
-        for link, following in zip(site.chain, (*site.chain[1:], site.call), strict=False):
-            found.append(self._enter(link, following, found[-1]))
-        return found
-
-    def _enter(self, link: Invocation, following: Invocation, env: Env) -> Env:
-        func, at = following.func, following.at
-        args = bind(func, link, env)
-        types = self._types.of_function(func, link, env)
-        if around(func, self.folder) is not None:
-            outer = captured(func, link, env, self.folder)
-            return Env(func, at, args, types, outer.this, outer.made, outer=outer)
-        if func.cls is None:
-            return Env(func, at, args, types)
-        cls = self.making.made(link, func.cls)
-        if func.is_constructor or cls is not None:
-            return self._entered(link, following, env, cls or func.cls)
-        same = (
-            env.this is not None
-            and func.cls in self.program.ancestry(env.this)
-            and link.receiver in {None, Name("this")}
-        )
-        this = env.this if same else func.cls
-        inner = env.made if same else self.folder.objects.held(link.receiver, func.cls, env)
-        return Env(func, at, args, types, this, inner)
-
-    def _entered(self, link: Invocation, following: Invocation, env: Env, cls: Cls) -> Env:
-        """The place of a call in a constructor, or in a method, of the object of a class that a call makes."""
-        func = following.func
-        begins = func.is_constructor and func.cls is cls
-        maker = func if begins else self.folder.objects.constructor(cls, len(link.args))
-        given = bind(maker, link, env) if maker is not None else {}
-        made = Instance(cls, given, self._types.of_class(cls, link, env), maker)
-        types = self._types.of_function(func, link, env)
-        return Env(func, following.at, given if begins else {}, types, cls, made)
 
     # --- objects -----------------------------------------------------------------------------------------
 
@@ -297,13 +250,13 @@ class Sites:
             part = self.folder.objects.part(made, cls)
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
-            *places, env = self._inside(site, root)
+            *places, env = self.ways.inside(site, root)
             yield replace(site, env=env, owner=derived, places=tuple(places))
         for call in self.calls.get(cls.fact.name, ()):
             if call.func.cls is cls or (own and self.is_base_of(call, cls)):
                 continue
-            if self.makes(call, cls) and call not in site.chain:
-                for outer, certain in self._places(self.root_env(call.func, call.at)):
+            if self.makes(call, cls) and call not in site.chain and self.folder.objects.may_run(site.root, cls, call):
+                for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
                     yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
 
     def is_base_of(self, call: Invocation, cls: Cls) -> bool:

@@ -21,6 +21,7 @@ from ecm_extract.link.running.values import Hole
 
 _NO_TEXT = frozenset({"bool", "double", "integer"})
 """Types whose default is no text: what folds to one comes from a call that gives something else when it runs."""
+_SINGLE = _NO_TEXT | {"string"}
 
 
 class EndpointTypes:
@@ -146,7 +147,9 @@ class EndpointTypes:
 
 
 def _as_declared(data: Any, known: str | None) -> Any:
-    """A default as the type of its parameter holds it: `declare_parameter<double>("rate", 0)` is 0.0."""
+    """A default as the type of its parameter holds it: `declare_parameter<double>("rate", 0)`, or `{0}`, is 0.0."""
+    if known in _SINGLE and isinstance(data, list):
+        return _as_declared(data[0], known) if len(data) == 1 and not isinstance(data[0], list) else UNKNOWN
     if known in _ARRAYS and isinstance(data, list):
         return [as_number(each, _ARRAYS[known]) for each in data]
     return as_number(data, _HELD.get(known or "", ""))

@@ -138,7 +138,21 @@ class QosVariables:
         if passed:
             return None
         ways = self.folder.flow.ways(expr, env)
-        return self._any_of(self.folder.origins.held(expr, env), env, level) if not ways else None
+        found = self._any_of(self.folder.origins.held(expr, env), env, level) if not ways else None
+        return found if found is not None or not isinstance(expr, Member) else self._of_object(expr, env, level)
+
+    def _of_object(self, expr: Member, env: Env, level: int) -> Policies | None:
+        """A member of another object: what it is where that is handed on, or what the class of that makes of it."""
+        structures = self.folder.structures
+        kept = structures.is_kept(expr.base, env)
+        handed = structures.handed(expr, env) if not kept else None
+        if handed is not None:
+            return self.profiles.policies(handed.expr, handed.env.deeper(env.depth + 1), level + 1)
+        cls = structures.kept_in(expr, env) if kept else self.folder.objects.class_of(expr.base, env)
+        if cls is None or self.folder.members.is_given(expr.name, cls):
+            return None
+        place = Env(env.func, env.at, this=cls, depth=env.depth + 1)
+        return self._of_member(f".{expr.name}", cls, place, level)
 
     def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
         """What its constructor makes of a member, or what it is declared with, and what other methods make of that."""

@@ -14,6 +14,7 @@ from ecm_parsers.source.expr import (
     Call,
     Constant,
     Expr,
+    Items,
     Member,
     Name,
     Number,
@@ -37,6 +38,7 @@ from ecm_extract.link.folding.fold_streams import StreamFolder
 from ecm_extract.link.folding.fold_tables import TableFolder
 from ecm_extract.link.folding.fold_texts import TextFolder
 from ecm_extract.link.folding.list_changes import ListChanges
+from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.optionals import OptionalFolder
 from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.steps import Steps
@@ -48,7 +50,10 @@ from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
 from ecm_extract.link.running.lasting import LastingVariables
 from ecm_extract.link.running.lasting_states import LastingStates
+from ecm_extract.link.running.lent import Lent
 from ecm_extract.link.running.method_effects import MethodEffects
+from ecm_extract.link.running.object_fields import ObjectFields
+from ecm_extract.link.running.object_makers import ObjectMakers
 from ecm_extract.link.running.object_states import ObjectStates
 from ecm_extract.link.running.objects import Objects
 from ecm_extract.link.running.origins import Origins
@@ -80,6 +85,10 @@ _Asked = tuple[Hashable, ...]
 """A name with what its value depends on, beside what its function is called with."""
 
 
+def _no_prefix(_handle: Expr, _env: Env) -> None:
+    """Before anybody knows what node handles put before names."""
+
+
 class Folder:
     """Evaluates expressions of a program."""
 
@@ -88,6 +97,7 @@ class Folder:
         self.scope = scope
         self.objects = Objects(program, scope)
         self.reads = reads
+        self.prefixes: Callable[[Expr, Env], Value | None] = _no_prefix
         self.names = NameFolder(self)
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)
@@ -105,6 +115,7 @@ class Folder:
         self.operators = OperatorFolder(self)
         self.streams = StreamFolder(self)
         self.held = HeldFolder(self)
+        self.messages = MessageFolder(self)
         self.cuts = self.cycles = 0
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
         self._active: set[Hashable] = set()
@@ -119,12 +130,15 @@ class Folder:
         self.unset = UnsetVariables(self)
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
+        self.makers = ObjectMakers(self)
         self.given_fields = GivenFields(self)
+        self.object_fields = ObjectFields(self)
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)
         self.outside = OutsideVariables(self)
         self.lasting = LastingVariables(self)
         self.lasting_states = LastingStates(self)
+        self.lent = Lent(self)
         self.methods = MethodEffects(self)
         self.scope.ways = self.flow.ways
 
@@ -153,12 +167,10 @@ class Folder:
                 return self.operators.op(expr, env)
             case Template():
                 return joined(self.shown(self.fold(part, env.before(env.at)), env) for part in expr.parts)
-            case Text():
-                return (literal(expr.value),)
-            case Number():
-                return (constant(expr.value),)
-            case Constant():
-                return (constant({"true": True, "false": False}.get(expr.name, NULL)),)
+            case Text() | Number() | Constant():
+                return (_stated(expr),)
+            case Items(items=(only,)) if env.func.file.language == "cpp":  # `{"x"}` in the place of a text is that text
+                return self.fold(only, env.before(env.at))
             case Opaque() if expr.text.isidentifier():
                 return (unknown(expr.text),)
         return (unknown("value"),)
@@ -239,6 +251,13 @@ class Folder:
         """Return values as texts: numbers and truth values as the language writes them."""
         python = env.func.file.language == "python"
         return tuple([_shown(value, python) for value in values])
+
+
+def _stated(expr: Text | Number | Constant) -> Value:
+    if isinstance(expr, Text):
+        return literal(expr.value)
+    known = {"true": True, "false": False}
+    return constant(expr.value if isinstance(expr, Number) else known.get(expr.name, NULL))
 
 
 def _left_open(values: Sequence[Value], label: str) -> Value:

@@ -26,10 +26,10 @@ class ClosureFolder:
 
     def value(self, expr: Call, call: Invocation, env: Env) -> tuple[Value, ...] | None:
         """Return what a call of a Python lambda gives; None for calls of anything else."""
-        given = self.handed(call, env)
+        python = env.func.file.language == "python"
+        given = self.handed(call, env) if python else None
         if given is not None and isinstance(given.expr, Lambda):
             return self._of_body(given.expr, call, env, given.env)
-        python = env.func.file.language == "python"
         ways = self.folder.flow.ways(expr.callee, env) if python and isinstance(expr.callee, Name | Member) else []
         helds = {held for way in ways for held in way}
         made = [held for held in helds if isinstance(held.expr, Lambda) and held.how == "value"]

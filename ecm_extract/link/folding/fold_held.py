@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call, Member
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.compute import UNKNOWN
+from ecm_extract.infer.compute import with_character
 from ecm_extract.infer.held import Held, How, all_ways
 from ecm_extract.link.code.containers import begins_empty
 from ecm_extract.link.code.named_alike import is_name_of_node
@@ -52,6 +52,7 @@ class HeldFolder:
             "stored": self._stored,
             "out": self._written,
             "after": self._after,
+            "caught": lambda held, env: self.folder.messages.of(held, env),
             "entered": lambda held, env: self.of([held.before], env),
         }
 
@@ -129,6 +130,9 @@ class HeldFolder:
 
     def given(self, key: str, env: Env, first: bool = True) -> tuple[Value, ...]:
         """Return what a variable is that the function did not give anything, `first`: yet."""
+        around = self.folder.lent.around(key, env) if key.startswith("^") else None
+        if around is not None:
+            return self.folder.fold(around[0], around[1].deeper(env.depth + 1))
         entry = env.entry()
         name = key.rpartition(".")[2]
         if "." not in key:
@@ -179,6 +183,9 @@ class HeldFolder:
             return None
         if self.folder.lasting.named(held.name, env.func) is not None:
             return self.folder.lasting_states.left(held, env)
+        lent = self.folder.lent.left(held, env)
+        if lent is not None:
+            return lent
         inner = self.folder.methods.begun(invocation_of(held.expr, env), env)
         run = self.folder.flow.run(inner) if inner is not None else None
         if inner is None or run is None or run.end is None:
@@ -220,7 +227,7 @@ class HeldFolder:
         if env.func.file.language == "python" or held.expr is None:
             return (unknown(_label(held.name)),)
         options = [self._before(held, env), self.folder.fold(held.expr, env), self.folder.fold(held.more, env)]
-        return self.folder.combined(options, _with_character, _label(held.name))
+        return self.folder.combined(options, with_character, _label(held.name))
 
     def _handed(self, held: Held, env: Env, python: bool) -> tuple[Value, ...]:
         """Whoever gets a text in Python cannot change it; in C++ somebody outside the tree may, or may fill it."""
@@ -306,6 +313,9 @@ class HeldFolder:
         entered = self._entered(held, env)
         if entered is not None:
             return self.items(entered, env)
+        around = self.folder.lent.around(held.name, env)
+        if around is not None:
+            return self.folder.lists.items(around[0], around[1].deeper(env.depth + 1))
         return self.folder.lists.given(held.name, env, held.how == "given")
 
     def items_of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[Bound] | None:
@@ -327,16 +337,9 @@ class HeldFolder:
 
 
 def _label(key: str) -> str:
-    return key.rpartition(".")[2] or "value"
+    return key.rpartition(".")[2].lstrip("^") or "value"
 
 
 def _statement(held: Held) -> Statement | None:
     body = held.env.func.fact.body if held.env is not None else ()
     return body[held.at] if 0 <= held.at < len(body) else None
-
-
-def _with_character(data: list[object]) -> object:
-    text, index, char = data
-    if not isinstance(text, str) or not isinstance(index, int) or not isinstance(char, str):
-        return UNKNOWN
-    return text[:index] + char + text[index + 1 :] if len(char) == 1 and 0 <= index < len(text) else UNKNOWN

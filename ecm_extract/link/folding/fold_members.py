@@ -50,6 +50,8 @@ class MemberFolder:
 
     def member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`this->x`, `params_.x`, `module.CONSTANT`, `object.field`."""
+        reached = self.folder.flow.effects(env.func).reached(expr)
+        expr = reached if isinstance(reached, Member) else expr
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.of(ways, env)
@@ -89,8 +91,9 @@ class MemberFolder:
         return self.folder.names.of_message(plain(pointee(written)), expr.name, env) if written else ()
 
     def _of_given(self, expr: Member, env: Env) -> tuple[Value, ...]:
-        """A part of what callers pass, of which Python need not say the type."""
-        if env.func.file.language != "python" or not isinstance(expr.base, Name):
+        """A part of what callers, or the makers of the object, pass, of which Python need not say the type."""
+        own = isinstance(expr.base, Member) and expr.base.base == Name("this")
+        if env.func.file.language != "python" or not (own or isinstance(expr.base, Name)):
             return ()
         return next(filter(None, (_taken_of(value, expr.name) for value in self.folder.fold(expr.base, env))), ())
 
@@ -111,6 +114,9 @@ class MemberFolder:
         handed = self.folder.structures.handed_on(expr, env)
         if handed:
             return handed
+        handed = self._of_handed(expr, env)
+        if handed:
+            return handed
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return ()
@@ -123,6 +129,16 @@ class MemberFolder:
         if given is None or not values:
             return _taken_of(given, expr.name) if given is not None else values
         return (given,)
+
+    def _of_handed(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """`self.part.name`: what the object was made with that this one was handed, if nobody else gives it any."""
+        if env.func.file.language != "python" or not isinstance(expr.base, Member):
+            return ()
+        maker = self.folder.makers.of_python(expr.base, env)
+        if maker is None or maker.this is None or self.folder.scope.assigned_outside(expr.name, "python"):
+            return ()
+        place = Env(env.func, env.at, depth=env.depth + 1, this=maker.this, made=maker.made)
+        return self.member_value(expr.name, maker.this, place)
 
     def _library_parameter(self, expr: Member, env: Env) -> tuple[Value, ...] | None:
         """`params_.a.b` of generate_parameter_library: the default of parameter `a.b`."""
@@ -208,10 +224,10 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        return alternatives((*values, unknown(name))) if self._is_given(name, cls) else values
+        return alternatives((*values, unknown(name))) if self.is_given(name, cls) else values
 
-    def _is_given(self, name: str, cls: Cls) -> bool:
-        """Whether others than the methods of a class give a member of some object of it something."""
+    def is_given(self, name: str, cls: Cls) -> bool:
+        """Tell whether others than the methods of a class give a member of some object of it something."""
         if cls.file.language == "python":
             return bool(self.folder.scope.assigned_outside(name, "python"))
         return self.folder.given_fields.is_given(name, cls)

@@ -111,13 +111,15 @@ class ReturnFolder:
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""
         handed = self.closures.function(call, env)
-        outer = env if self.folder.nesting.enclosing(callee) is env.func else handed[1] if handed is not None else None
+        lent = self.folder.lent.place(callee, handed[1], env) if handed is not None else None
+        outer = env if self.folder.nesting.enclosing(callee) is env.func else lent
         led = self.folder.lasting_states.led(callee, call, env)
         if callee.cls is None and "lambda" not in callee.fact.traits:
             return Env(callee, 0, args, depth=env.depth + 1, outer=outer, call=led)
         made = self._made(call, env)
         this = _class_of(made, callee, call, env)
-        caller = THIS if is_own(call.receiver) else call.receiver if made is not None else None
+        written = made is not None or self.folder.object_fields.reads(callee, this)
+        caller = THIS if is_own(call.receiver) else call.receiver if written else None
         follows = caller is not None and self.folder.methods.depends(callee, this)
         within = Bound(caller, env) if follows and caller is not None else None
         return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=within, call=led)

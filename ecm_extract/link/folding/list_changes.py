@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
@@ -43,7 +44,7 @@ class ListChanges:
             more = self.folder.lists.items(args[0], env)
             return None if more is None else [*items, *more]
         if name == "sort" and not args and not call.keywords:
-            return self.ordered(items, env)
+            return self.ordered(items)
         return self._at_place(name, items, args, env)
 
     def _at_place(self, name: str, items: list[Bound], args: tuple[Expr, ...], env: Env) -> list[Bound] | None:
@@ -73,10 +74,16 @@ class ListChanges:
         changed[at] = Bound(held.more, env)
         return changed
 
-    def ordered(self, items: list[Bound], env: Env) -> list[Bound] | None:
+    def ordered(self, items: list[Bound]) -> list[Bound] | None:
         """Return elements in their order, where each of them is known."""
-        values = [self.folder.lists.fold(item, env) for item in items]
-        if any(len(found) != 1 or not is_proved(found[0]) or data_in(found[0]) is UNKNOWN for found in values):
+        return self.ordered_by(items, items)
+
+    def ordered_by(self, items: list[Bound], keys: Sequence[Bound]) -> list[Bound] | None:
+        """Return elements in the order of other ones, where each of these is known."""
+        values = [self.folder.lists.fold(key, key.env) for key in keys]
+        if len(keys) != len(items) or any(
+            len(found) != 1 or not is_proved(found[0]) or data_in(found[0]) is UNKNOWN for found in values
+        ):
             return None
         data = [data_in(found[0]) for found in values]
         if len({type(entry) for entry in data}) > 1:

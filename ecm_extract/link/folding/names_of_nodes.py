@@ -1,6 +1,6 @@
 """What nodes say of themselves: `get_name()`, `get_namespace()`, and what ROS 1 has instead.
 
-Sources: rclcpp/node.hpp, rclpy/node.py, ros/this_node.h, rospy/rostime and names, nodelet/nodelet.h.
+Sources: rclcpp/node.hpp, rclpy/node.py, ros/this_node.h, ros/node_handle.h, rospy/names.py, nodelet/nodelet.h.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.link.index.module_kinds import class_kind, is_node_base
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.object_states import is_own
-from ecm_extract.link.running.values import Value, node_name, node_namespace
+from ecm_extract.link.running.values import Value, joined, literal, node_name, node_namespace
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -24,6 +24,7 @@ _NAMES: Final = frozenset({"ros::this_node::getName", "rospy.get_name"})
 _NAMESPACES: Final = frozenset({"ros::this_node::getNamespace", "rospy.get_namespace"})
 _OWN_NAMES: Final = frozenset({"get_name", "get_fully_qualified_name"})
 _OF_NODELETS: Final = "getName"
+_NAMESPACE_OF_HANDLE: Final = "getNamespace"
 
 
 def told_by_node(call: Invocation, env: Env, folder: Folder) -> Value | None:
@@ -32,9 +33,22 @@ def told_by_node(call: Invocation, env: Env, folder: Folder) -> Value | None:
         return node_name()
     if call.path in _NAMESPACES or (call.last == "get_namespace" and _may_be_node(call.receiver, env, folder)):
         return node_namespace()
+    if call.last == _NAMESPACE_OF_HANDLE and call.receiver is not None:
+        return _namespace_of(call.receiver, env, folder)
     own = env.this or env.func.cls
     is_nodelet = own is not None and is_own(call.receiver) and class_kind(own, folder.program) == "nodelet"
     return node_name() if call.last == _OF_NODELETS and is_nodelet else None
+
+
+def _namespace_of(handle: Expr, env: Env, folder: Folder) -> Value | None:
+    """The namespace of a handle of roscpp, with what it puts before names: that of a private one is the node's name."""
+    prefix = folder.prefixes(handle, env)
+    if prefix is None or prefix.text.startswith("/"):
+        return prefix
+    begins = node_name() if prefix.text.startswith("~") else node_namespace()
+    first, *rest = [part for part in prefix.parts if part] or [""]
+    below = (first.removeprefix("~").lstrip("/") if isinstance(first, str) else first, *rest)
+    return joined([(begins,), (literal("/"),), (Value(below, prefix.confidence),)])[0] if any(below) else begins
 
 
 def _may_be_node(receiver: Expr | None, env: Env, folder: Folder) -> bool:
@@ -53,7 +67,7 @@ def _may_be_node(receiver: Expr | None, env: Env, folder: Folder) -> bool:
 
 def _derives(cls: Cls, folder: Folder) -> bool:
     """Whether a class is a node, or may be one by a base that is not of the tree and of no other kind."""
-    kind = class_kind(cls, folder.program)
+    module_kind = class_kind(cls, folder.program)
     known = {entry.fact.name for entry in folder.program.ancestry(cls)}
     others = (plain(name).rpartition("::")[2].rpartition(".")[2] for name in folder.program.base_names(cls))
-    return kind == "node" or (kind is None and any(name not in known for name in others))
+    return module_kind == "node" or (module_kind is None and any(name not in known for name in others))

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, TypeAlias
 
-from ecm_parsers.source.expr import Items, Name, Number, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Lambda, Name, Number, Text
 
 from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 SPLITS = frozenset({"split", "rsplit", "partition", "rpartition"})
 """Methods of texts that give a list of its parts."""
+_ELEMENT: Final = "#element"
+"""Stands for an element where a function is called with each; no variable has such a name."""
 MAX_ITEMS = 256
 """Elements of a list that are looked at one by one."""
 _Giver: TypeAlias = "Callable[[ListFolder, Invocation, Env], list[Bound] | None]"
@@ -51,8 +53,32 @@ def _copied(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None
 
 
 def _sorted(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    items = _copied(lists, call, env)
-    return None if items is None else lists.folder.list_changes.ordered(items, env)
+    keywords = dict(call.keywords)
+    items = lists.items(call.args[0], env) if len(call.args) == 1 and not keywords.keys() - {"key"} else None
+    if items is None or "key" not in keywords:
+        return None if items is None else lists.folder.list_changes.ordered(items)
+    keys = [_applied(lists, keywords["key"], item, env) for item in items]
+    return lists.folder.list_changes.ordered_by(items, [key for key in keys if key is not None])
+
+
+def _mapped(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    items = lists.items(call.args[1], env) if len(call.args) == 2 and not call.keywords else None
+    if items is None:
+        return None
+    given = [_applied(lists, call.args[0], item, env) for item in items]
+    known = [bound for bound in given if bound is not None]
+    return known if len(known) == len(given) else None
+
+
+def _applied(lists: ListFolder, function: Expr, item: Bound, env: Env) -> Bound | None:
+    """What a function gives for an element; None of a lambda that takes something else."""
+    if isinstance(function, Lambda):
+        plain = function.body is not None and len(function.params) == 1 and function.params[0].isidentifier()
+        if function.body is None or not plain:
+            return None
+        return Bound(function.body, lists.folder.flow.naming(env, {function.params[0]: item}))
+    place = lists.folder.flow.naming(env, {_ELEMENT: item})
+    return Bound(Call(function, (Name(_ELEMENT),)), place) if isinstance(function, Name) else None
 
 
 def _reversed(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
@@ -108,6 +134,7 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "list": _copied,
         "tuple": _copied,
         "copy": lambda lists, call, env: lists.items(call.receiver, env) if not call.args else None,
+        "map": _mapped,
         "sorted": _sorted,
         "reversed": _reversed,
         "enumerate": _enumerated,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 from ecm_parsers.source.expr import Call, Comprehension, Expr, Lambda, Op
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.held import Held
 from ecm_extract.infer.kinds import Kind
 from ecm_extract.infer.raising import may_raise, raises_itself
 from ecm_extract.infer.raising_calls import UNPACKED, Operation, operation, unpacks
@@ -17,7 +18,7 @@ from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.folding.raise_checks import CHECKS, Asked
-from ecm_extract.link.running.env import Env, bind, invocation_of
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -27,10 +28,14 @@ _CHOOSING: Final = frozenset({"?:", "&&", "||"})
 
 
 class Found(NamedTuple):
-    """Whether something raises, None where that is open, and what it raises then; None where nobody knows."""
+    """Whether something raises, None where that is open, and what it raises then; None where nobody knows.
+
+    `made` is what makes the exception, where one thing does.
+    """
 
     raises: bool | None
     kinds: frozenset[Kind] | None = None
+    made: Bound | None = None
 
 
 _OPEN: Final = Found(None)
@@ -49,7 +54,7 @@ class Raises:
         open_ = False
         for found in self._in_order(statement, env):
             if found.raises:
-                return Found(True, None if open_ else found.kinds)
+                return Found(True, None, None) if open_ else found
             open_ = open_ or found.raises is None
         return _OPEN if open_ else _CALM
 
@@ -164,7 +169,16 @@ class Raises:
         kinds = [self._kinds(each) for each in raised]
         known = [each for each in kinds if each is not None]
         whole = len(known) == len(kinds) and not run.risky
-        return Found(True, frozenset().union(*known) if whole else None)
+        made = self.made(raised[0].made) if whole and len(raised) == 1 else None
+        return Found(True, frozenset().union(*known) if whole else None, made)
+
+    def made(self, held: Held | None) -> Bound | None:
+        """Return what makes an exception, which a statement raises; None where that is not known."""
+        if held is None or held.env is None:
+            return None
+        if held.expr is not None:
+            return Bound(held.expr, held.env)
+        return self.of(held.env).made if held.env.depth <= MAX_DEPTH else None
 
     def _kinds(self, raised: Raised) -> frozenset[Kind] | None:
         if isinstance(raised.what, Raising):

@@ -2,28 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-import msgspec
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
-from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.code.calls import Invocation, Step, construction, dotted_name
+from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import makes_tuple
-from ecm_extract.link.code.numbers import as_number, kind_of_type
 from ecm_extract.link.code.overloads import NO, score
-from ecm_extract.link.code.pointed import given_to_pointed, is_only_reached_into, pointed
-from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, makers_of, named_parts
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, bind
-from ecm_extract.link.running.values import Value, alternatives, constant, demoted, literal, parameter, unknown
+from ecm_extract.link.running.values import Value, alternatives, demoted, parameter, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
+MAX_STATEMENTS: Final = 1_000_000
+"""Behind the last statement of a function."""
 _PAIR: Final = ("first", "second")
 _GET: Final = "std::get"
 _DECLARED: Final = frozenset({"made", "given", "shared"})
@@ -42,6 +40,11 @@ class StructureFolder:
         """Return the values of a field; empty when it is not known what the object is made from."""
         if self._is_reached_into(expr, env):
             return ()
+        whole = self._of_other(expr.base, env)
+        if whole is not None:
+            values = self.handed_on(expr, env)
+            if values or self._has_changed_fields(whole):
+                return values
         made = self._constructed(expr, env)
         if made:
             return made
@@ -56,11 +59,22 @@ class StructureFolder:
         cls = self._class_at(expr.base, env) if parts is not None else None
         at = self._place(expr, env) if cls is not None and not cls.fact.bases else None
         field = cls.fields.get(expr.name) if cls is not None else None
-        if parts is None or at is None or field is None or at < len(parts) or dict(_named(parts)):
+        if parts is None or at is None or field is None or at < len(parts) or dict(named_parts(parts)):
             return ()
         if field.default is not None:
             return demoted(self.folder.fold(field.default, Env(env.func, depth=env.depth + 1, this=cls)))
-        return _left_empty(field.type)
+        return left_empty(field.type)
+
+    def _of_other(self, expr: Expr, env: Env) -> Bound | None:
+        """The object that one is a copy of, or which was handed to the function; None where it is neither."""
+        made = self._made(expr, env) if env.depth < MAX_DEPTH else None
+        return made if made is not None and isinstance(made.expr, Name | Member) else None
+
+    def _has_changed_fields(self, whole: Bound) -> bool:
+        """Whether a field of an object is given something where that stands, so that it is not as it was made."""
+        outline = self.folder.flow.outline(whole.env.func)
+        root = outline.effects.root(whole.expr)
+        return not root or any(key.startswith(f"{root}.") for key in outline.changes)
 
     def part_by_place(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
         """`std::get<1>(pair)`; None for other calls."""
@@ -80,9 +94,9 @@ class StructureFolder:
         if bound is None or not isinstance(call, Items | Call):
             return ()
         cls = self._class_made(call, expr.base, bound.env, env)
-        if cls is None or not _makers(cls):
+        if cls is None or not makers_of(cls):
             return ()
-        return self._by_best(expr.name, cls, _construction(cls, call, bound.env), bound.env)
+        return self._by_best(expr.name, cls, construction_of(cls, call, bound.env), bound.env)
 
     def _class_made(self, made: Items | Call, base: Expr, place: Env, env: Env) -> Cls | None:
         if isinstance(made, Items):
@@ -90,13 +104,18 @@ class StructureFolder:
         return self._class_called(made, place)
 
     def _by_best(self, name: str, cls: Cls, call: Invocation, env: Env) -> tuple[Value, ...]:
-        scores = {maker: score(call, maker) for maker in _makers(cls)}
-        best = max(scores.values())
-        fitting = [maker for maker, points in scores.items() if points == best != NO]
         values = [
-            value for maker in fitting for value in self._left(name, Instance(cls, bind(maker, call, env), {}, maker))
+            value
+            for maker in self._fitting(cls, call)
+            for value in self._left(name, Instance(cls, bind(maker, call, env), {}, maker))
         ]
         return alternatives(values) if values else ()
+
+    def _fitting(self, cls: Cls, call: Invocation) -> list[Func]:
+        """The constructors that take the arguments of a call best."""
+        scores = {maker: score(call, maker) for maker in makers_of(cls)}
+        best = max(scores.values(), default=NO)
+        return [maker for maker, points in scores.items() if points == best != NO]
 
     def _left(self, name: str, made: Instance) -> tuple[Value, ...]:
         place = Env(made.maker, this=made.cls, made=made) if made.maker is not None else None
@@ -118,11 +137,50 @@ class StructureFolder:
 
     def handed_on(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return a field of an object that is handed on, or copied: what it was there; empty of others."""
+        if self.is_kept(expr.base, env):
+            return self._of_kept(expr, env)
+        handed = self.handed(expr, env)
+        values = self.folder.fold(handed.expr, handed.env.deeper(env.depth + 1)) if handed is not None else ()
+        return demoted(values) if any(value.confidence != "pattern" for value in values) else ()
+
+    def is_kept(self, expr: Expr, env: Env) -> bool:
+        """Tell whether Python has an object in a member since another function: it may have become another one."""
+        return env.func.file.language == "python" and isinstance(expr, Member) and not self.folder.flow.ways(expr, env)
+
+    def kept_in(self, expr: Member, env: Env) -> Cls | None:
+        """Return the class of the object that a member is, which another function was handed.
+
+        None where its field is given something at several places: which was last depends on when it is asked for.
+        """
+        handed = self._first_handed(expr.base, env)
+        cls = self.folder.objects.class_of(handed.expr, handed.env) if handed is not None else None
+        if cls is None or self.folder.members.is_given(expr.name, cls):
+            return None
+        given = [self.folder.scope.members(expr.name, each) for each in self.folder.program.ancestry(cls)]
+        return cls if sum(map(len, given)) <= 1 else None
+
+    def _first_handed(self, expr: Expr, env: Env) -> Bound | None:
+        """The object that is handed from one function to the next, as the first one has it."""
+        found: Bound | None = None
+        for _ in range(MAX_DEPTH):
+            further = self._copied(expr, env)
+            if further is None:
+                break
+            found, expr, env = further, further.expr, further.env
+        return found
+
+    def _of_kept(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """What all methods of its class leave a field with."""
+        cls = self.kept_in(expr, env)
+        place = Env(env.func, env.at, this=cls, depth=env.depth + 1)
+        return self.folder.members.member_value(expr.name, cls, place) if cls is not None else ()
+
+    def handed(self, expr: Member, env: Env) -> Bound | None:
+        """Return the field of the object that is handed on, or copied, and that nobody may have changed since."""
         copied = self._copied(expr.base, env)
         if copied is None or self._is_touched(copied.expr, copied.env) or self._is_reached_into(expr, env):
-            return ()
-        values = self.folder.fold(Member(copied.expr, expr.name), copied.env.deeper(env.depth + 1))
-        return demoted(values) if any(value.confidence != "pattern" for value in values) else ()
+            return None
+        return Bound(Member(copied.expr, expr.name), copied.env)
 
     def _is_touched(self, expr: Expr, env: Env) -> bool:
         """Tell whether somebody whose body is not seen, or who is not followed, may have changed an object."""
@@ -169,7 +227,7 @@ class StructureFolder:
 
     def _part(self, expr: Member, env: Env) -> Bound | None:
         parts = self._parts(expr.base, env)
-        named = dict(_named(parts or ()))
+        named = dict(named_parts(parts or ()))
         if expr.name in named:
             return named[expr.name]
         at = self._place(expr, env) if parts is not None else None
@@ -207,7 +265,7 @@ class StructureFolder:
         if cls is None or any(method.is_constructor for method in cls.methods):
             return None
         named = [Op(".=", (Name(key), value)) for key, value in made.keywords]
-        return [Bound(item, bound.env) for item in (*_given(made), *named)]
+        return [Bound(item, bound.env) for item in (*given_of(made), *named)]
 
     def _origin(self, expr: Expr, env: Env) -> Bound | None:
         """Return the expression that makes an object, through the variables that it is handed on by."""
@@ -228,17 +286,50 @@ class StructureFolder:
 
     def _made(self, expr: Expr, env: Env) -> Bound | None:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
+        if isinstance(expr, Call) and self._class_called(expr, env) is not None:
+            return Bound(expr, env)
         if not isinstance(expr, Name | Member):
             return None
         helds = self._helds(expr, env)
         if all(held.how == "given" for held in helds):
-            return self._of_name(expr, env) if isinstance(expr, Name) else self._part(expr, env)
+            return self._of_name(expr, env) if isinstance(expr, Name) else self._of_whole(expr, env)
         held = helds.pop()
         if helds or held.how != "value" or held.env is None or held.expr is None:
             return None
-        if pointed(held.expr) and not (isinstance(expr, Name) and is_only_reached_into(expr.id, held.env.func)):
+        if isinstance(expr, Name) and not self._is_followed(expr.id, held.expr, held.env.func):
             return None
         return Bound(held.expr, held.env)
+
+    def _is_followed(self, name: str, made: Expr, func: Func) -> bool:
+        """Whether it is seen who changes the object in a variable."""
+        if self.folder.states.callers.is_changed_inside(name, func):
+            return False
+        return not pointed(made) or is_only_reached_into(name, func, lambda call: self._is_method(call, func))
+
+    def _is_method(self, call: Call, func: Func) -> bool:
+        callee = self.folder.flow.target(call, func, MAX_STATEMENTS)
+        return callee is not None and callee.cls is not None
+
+    def _of_whole(self, expr: Member, env: Env) -> Bound | None:
+        """What a member is made from, of an object that is copied, is made in braces, or by a constructor."""
+        whole = self._made(expr.base, env) if env.depth < MAX_DEPTH else None
+        if whole is not None and isinstance(whole.expr, Name | Member):
+            return Bound(Member(whole.expr, expr.name), whole.env)
+        return self._part(expr, env) or (self._left_by_maker(expr, whole, env) if whole is not None else None)
+
+    def _left_by_maker(self, expr: Member, whole: Bound, env: Env) -> Bound | None:
+        """What the one constructor that can have made an object gives a member of it."""
+        if not isinstance(whole.expr, Items | Call) or whole.env.func.file.language != "cpp":
+            return None
+        cls = self._class_made(whole.expr, expr.base, whole.env, env)
+        makers = self._fitting(cls, construction_of(cls, whole.expr, whole.env)) if cls is not None else []
+        if cls is None or len(makers) != 1:
+            return None
+        args = bind(makers[0], construction_of(cls, whole.expr, whole.env), whole.env)
+        begun = Env(makers[0], 0, args, this=cls, made=Instance(cls, args, {}, makers[0]), depth=env.depth + 1)
+        ways = self.folder.flow.left(self.folder.flow.run(begun), f".{expr.name}")
+        held = ways[0] if len(ways) == 1 and ways[0].how == "value" else None
+        return Bound(held.expr, held.env) if held is not None and held.expr is not None and held.env else None
 
     def _of_name(self, expr: Name, env: Env) -> Bound | None:
         """What is passed for a parameter, or what a variable of a namespace is declared with that nobody changes."""
@@ -258,41 +349,8 @@ class StructureFolder:
         bound, found = self._origin(expr.base, env), self.folder.scope.constant(root, env)
         if bound is not None or found is not None:
             return self._part(expr, env)
-        default = cls.fields[expr.name].default if expr.name in cls.fields and not _makers(cls) else None
+        default = cls.fields[expr.name].default if expr.name in cls.fields and not makers_of(cls) else None
         return Bound(default, Env(env.func, depth=env.depth + 1, this=cls)) if default is not None else None
-
-
-def _construction(cls: Cls, made: Items | Call, env: Env) -> Invocation:
-    """The call of a constructor: braces and parentheses say the same."""
-    step = Step(env.func, env.at, Statement("do", cls.fact.line, None))
-    call = construction(step, cls.fact.name, made.items if isinstance(made, Items) else _given(made), cls.fact.line)
-    return call if isinstance(made, Items) else msgspec.structs.replace(call, keywords=made.keywords)
-
-
-def _given(made: Call) -> tuple[Expr, ...]:
-    """What the constructor gets of the arguments of a call that makes an object."""
-    return given_to_pointed(last_name(dotted_name(made.callee)), made.args)
-
-
-def _named(parts: Sequence[Bound]) -> Iterator[tuple[str, Bound]]:
-    """Yield field -> value of those that say for which field they are: `Row{.name = "a"}`."""
-    for part in parts:
-        if isinstance(part.expr, Op) and part.expr.op == ".=" and isinstance(part.expr.operands[0], Name):
-            yield part.expr.operands[0].id, Bound(part.expr.operands[1], part.env)
-
-
-def _makers(cls: Cls) -> list[Func]:
-    return [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]
-
-
-def _left_empty(written: str) -> tuple[Value, ...]:
-    """What a field is that begins with nothing: an empty text, zero; nothing is told of other types."""
-    kind, last = kind_of_type(written), plain(written).rsplit("::", 1)[-1]
-    if not kind or "*" in written or "&" in written or "[" in written:
-        return ()
-    if kind == "text":
-        return (literal("")._replace(confidence="folded"),)
-    return demoted((constant(False if last == "bool" else as_number(0, last)),))
 
 
 def _name(expr: Name | Member) -> str:

@@ -173,6 +173,16 @@ class Program:
         """Return what a dotted name that a Python file imports is called outside of the tree; empty of others."""
         return self._names.outside(dotted, file)
 
+    def readings(self, name: str, file: File, scope: str = "") -> Iterable[str]:
+        """Return the qualified names that a type or base, as written, can have where it stands: the tree may lack it.
+
+        Of C++ one for each scope and namespace in which it is looked for, of Python the one that the imports give.
+        """
+        meant = self.canonical(name, file, scope)
+        if file.language != "python":
+            return self._names.readings(self.spelled_out(meant, file), file, scope)
+        return dict.fromkeys((meant, self.outside(plain(name), file) or meant))
+
     def installed_module(self, dotted: str, package: str) -> File | None:
         """Return the file of a module that a package installs; None of one that its build does not show."""
         found = self._path.installed(dotted, package)
@@ -181,6 +191,10 @@ class Program:
     def message_named(self, name: str, file: File, scope: str) -> str | None:
         """Return the whole name of a C++ `msg::Name` whose package is a namespace around it; None of other names."""
         return self._messages.find(name, file, scope)
+
+    def message_starred(self, name: str, modules: Sequence[str]) -> str | None:
+        """Return which of the modules of messages that a Python file takes whole brings a name; None of several."""
+        return self._messages.starred(name, modules)
 
     def message_constant(self, name: str, file: File, scope: str = "") -> str | float | None:
         """Return the constant of a message of the tree that a name means where it stands; None of other names."""

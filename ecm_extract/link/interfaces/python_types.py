@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ecm_checker.hub.roles import Role, roles
 from ecm_parsers.source.expr import Member, Name
+from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
@@ -56,10 +57,24 @@ class PythonTypes:
         """`self.kind`: what methods give it, else what the class or its nearest base says."""
         cls = env.this or env.func.cls
         if expr.base != Name("this") or cls is None:
-            return self._spelled_out(dotted_name(expr), env, role)
+            spelled = self._spelled_out(dotted_name(expr), env, role)
+            return spelled if spelled.name is not None else self._of_object(expr, env, role)
         given = (held for held, _ in self.folder.members.sources(expr.name, cls, env))
         found = self._only(given, env, role)
         return found if found.name is not None or found.open else self._declared(expr.name, env, role)
+
+    def _of_object(self, expr: Member, env: Env, role: Role) -> TypeFound:
+        """`self.types.kind`: what the constructor of the one object that this is leaves there, if nobody changes it."""
+        maker = self.folder.makers.of_python(expr.base, env)
+        if maker is None or maker.this is None or self._is_given_elsewhere(expr.name):
+            return UNKNOWN_TYPE
+        given = self.folder.members.sources(expr.name, maker.this, maker)
+        return self._only((held for held, _ in given), env, role)
+
+    def _is_given_elsewhere(self, name: str) -> bool:
+        """Whether others than methods give a field of that name of some object anything but `None`, no type."""
+        given = (entry.statement.value for entry in self.folder.scope.assigned_outside(name, "python"))
+        return any(value != NULL for value in given)
 
     def _spelled_out(self, dotted: str, env: Env, role: Role) -> TypeFound:
         """`pkg.msg.Name` of a module that the file only takes names of: one of its stars binds the package itself."""
@@ -90,13 +105,10 @@ class PythonTypes:
                 yield self.types.expression(held.expr, held.env.deeper(env.depth + 1), role)
 
     def _starred(self, name: str, env: Env, role: Role) -> TypeFound:
-        """What the one star import of types brings; of several, any can bring the name."""
-        starred = {entry.module for entry in env.func.file.facts.imports if entry.name == "*"}
+        """What the star imports of types bring, the last one that has the name."""
+        starred = [entry.module for entry in env.func.file.facts.imports if entry.name == "*"]
         shape = roles()[role].shape
         wanted = {ACTION, "msg"} if shape == ACTION else {shape or "msg"}
-        found = [module for module in starred if module.rsplit(".", 1)[-1] in wanted]
-        return (
-            TypeFound(self.types.full("::".join([*found[0].split("."), name]), role))
-            if len(found) == 1
-            else UNKNOWN_TYPE
-        )
+        modules = [module for module in starred if module.rsplit(".", 1)[-1] in wanted]
+        module = self.folder.program.message_starred(name, modules)
+        return TypeFound(self.types.full("::".join([*module.split("."), name]), role)) if module else UNKNOWN_TYPE

@@ -21,8 +21,8 @@ from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env
 _KINDS = ("msg", "srv", "action")
 _POINTER = re.compile(r"(?:::)?(?:Const)?(?:Shared|Unique)?(?:Const)?Ptr$")
 _EVENT = re.compile(r"^(?:const\s+)?(?:ros::)?(?:Message|Service)Event\s*<(.*)>\s*&?$")
-_REQUEST = re.compile(r"(::\w+)Request\b(?!\s*::)")
-"""ROS 1 generates `pkg::FooRequest` for the request of `pkg/Foo`."""
+_REQUEST = re.compile(r"\b(\w+)Request\b(?!\s*::)")
+"""ROS 1 generates `pkg::FooRequest` for the request of `pkg/Foo`, which is `FooRequest` in that namespace."""
 _ACTION_PART = re.compile(r"Action$")
 
 

@@ -69,6 +69,11 @@ class Handles:
             return known
         return Handle(unknown(_label(expr))) if env.func.file.ros == 1 else OWN
 
+    def prefix(self, expr: Expr, env: Env) -> Value | None:
+        """Return what a handle puts before names; None of one that is not known."""
+        known = self._known(expr, env, 0)
+        return known.prefix if known is not None and known.node is None else None
+
     def _known(self, expr: Expr | None, env: Env, depth: int) -> Handle | None:
         if expr is None or expr == _THIS:
             return OWN
@@ -104,10 +109,12 @@ class Handles:
         """A member of the object at hand, or of another one, as its class makes it."""
         if expr.base == _THIS:
             return self._variable(expr, env, depth)
-        cls = self.folder.objects.class_of(expr.base, env)
+        made = self.folder.makers.of(expr.base, env)
+        cls = made.cls if made is not None else self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return self._declared(expr, env)
-        return self._variable(Member(_THIS, expr.name), Env(env.func, env.at, this=cls, depth=env.depth + 1), depth)
+        place = Env(env.func, env.at, this=cls, made=made, depth=env.depth + 1)
+        return self._variable(Member(_THIS, expr.name), place, depth)
 
     def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
         """What all that may have made a variable agree on, and else what it is as it is declared."""
@@ -164,10 +171,8 @@ class Handles:
 
     def _call(self, call: Invocation, env: Env, depth: int) -> Handle | None:
         last = call.last
-        if last in _PRIVATE:
-            return Handle(literal("~"))
-        if last in _PUBLIC:
-            return OWN
+        if last in _PRIVATE | _PUBLIC and self.folder.objects.callee(call, env) is None:
+            return Handle(literal("~")) if last in _PRIVATE else OWN
         if last == "NodeHandle" or _makes_handle(call):
             return self._node_handle(call.args, env, depth)
         if last == "create_sub_node" and call.args:
@@ -185,10 +190,11 @@ class Handles:
         callee = self.folder.objects.callee(call, env)
         if callee is None:
             return None
-        this = self.folder.objects.class_of(call.receiver, env) if call.receiver is not None else env.this
-        args = bind(callee, call, env)
+        made = self.folder.makers.of(call.receiver, env) if call.receiver is not None else env.made
+        known = self.folder.objects.class_of(call.receiver, env) if call.receiver is not None else env.this
+        this, args = made.cls if made is not None else known or callee.cls, bind(callee, call, env)
         found = [
-            self._known(statement.value, Env(callee, at, args, this=this or callee.cls, depth=env.depth + 1), depth + 1)
+            self._known(statement.value, Env(callee, at, args, this=this, made=made, depth=env.depth + 1), depth + 1)
             for at, statement in enumerate(callee.fact.body)
             if statement.kind == "return"
         ]

@@ -38,7 +38,11 @@ def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | Non
         return RosName(raw, _clean(raw))
     if raw.startswith("~"):
         return RosName(raw, _private(raw[1:].lstrip("/"), handle, node))
-    relative = under(handle.prefix, value).text
+    joined = under(handle.prefix, value)
+    own = _after(joined, "node")  # `create_sub_node(get_name())`
+    if own is not None:
+        return RosName(f"~{own}" if ros == 1 else raw, _private(own, handle, node))
+    relative = joined.text
     if relative.startswith("~"):
         return RosName(relative, _private(relative[1:].lstrip("/"), handle, node))
     return RosName(relative if ros == 1 else raw, _clean(f"/{space_of(handle, node)}/{relative}"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set
 from pathlib import PurePosixPath
 from posixpath import dirname, join, normpath
 
@@ -20,7 +20,8 @@ def files_of(packages: Iterable[PackageFacts]) -> list[File]:
 
 def _of_package(package: PackageFacts) -> Iterator[File]:
     folders = _include_folders(package)
-    dead = _dead(package)
+    built = built_sources(package.cmake)
+    dead = _dead(package, built) if built is not None else frozenset()
     targets = _targets(package)
     for path, facts in package.sources.items():
         looked_in = folders.get(path, ())
@@ -32,14 +33,12 @@ def _of_package(package: PackageFacts) -> Iterator[File]:
             include_folders=looked_in,
             is_built=path not in dead,
             targets=targets.get(path, ()),
+            all_targets=built is not None,
         )
 
 
-def _dead(package: PackageFacts) -> frozenset[str]:
-    """C++ sources that no target compiles and no file includes; none where the build is not known."""
-    built = built_sources(package.cmake)
-    if built is None:
-        return frozenset()
+def _dead(package: PackageFacts, built: Set[str]) -> frozenset[str]:
+    """C++ sources that no target compiles and no file includes."""
     included = {PurePosixPath(entry.module).name for facts in package.sources.values() for entry in facts.imports}
     names = (PurePosixPath(path) for path in package.sources)
     return frozenset(

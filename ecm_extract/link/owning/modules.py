@@ -189,6 +189,14 @@ class Modules:
         mains = (func.file for func in self.registry.programs if func.file.package == file.package)
         return set(file.targets) <= {target for main in mains for target in main.targets}
 
+    def links(self, module: Module, func: Func) -> bool:
+        """Tell whether a program can have a function: not that of a source which only other programs compile."""
+        file, main = func.file, module.main
+        if main is None or file.package != module.package or not (file.all_targets and main.file.targets):
+            return True
+        shares = set(file.targets) & set(main.file.targets) or file in self.program.included(main.file)
+        return bool(shares) or not self.is_of_programs_only(file)
+
     def all(self) -> Sequence[Module]:
         """Return every module found so far."""
         return [*self.by_class.values(), *dict.fromkeys(self.by_main.values()), *self.libraries.values()]

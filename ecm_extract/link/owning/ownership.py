@@ -6,6 +6,7 @@ from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.client_libraries import is_client_library
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites, overrides
+from ecm_extract.link.owning.constructors import Constructors
 from ecm_extract.link.owning.decided import Decided
 from ecm_extract.link.owning.leads import mentions_of_constant
 from ecm_extract.link.owning.modules import Module, Modules
@@ -22,6 +23,7 @@ class Ownership:
         self.program = sites.program
         self.modules = modules
         self.reach = Reach(self.program, modules.loaded, modules.references.registered)
+        self.constructors = Constructors(self.program, sites.calls, modules.registry.classes)
         self.decided = Decided(sites, modules.references)
 
     def owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:
@@ -32,8 +34,12 @@ class Ownership:
         if self._is_only_offered(site):
             return self._library(unit)
         owners = [each for each in self.modules.owners(unit) if not _is_told_by_rows(site, each)]
+        line = [call.func for call in (*site.chain, site.call)]
+        owners = [each for each in owners if all(self.modules.links(each, func) for func in line)]
         through = self._through(unit, site)
-        running = self._deciding(site, [each for each in owners if self.reach.reaches(each, through)])
+        unused = any(self.constructors.is_unused(func) for func in through)
+        reached = [] if unused else [each for each in owners if self.reach.reaches(each, through)]
+        running = self._deciding(site, reached)
         if not owners or (running and running[0].kind != "library"):
             return running
         dead = self.modules.is_of_programs_only(site.root.file) and not _is_in_a_table(unit)

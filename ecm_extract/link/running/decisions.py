@@ -70,7 +70,7 @@ class Decisions:
             kinds = fork.raising.kinds
             fits = any_fits(kinds, fork.caught) if kinds is not None else None
             return Verdict(fits, fits)
-        raises, fork.kinds = self.folder.returns.raises.of(fork.env)
+        raises, fork.kinds, _ = self.folder.returns.raises.of(fork.env)
         return Verdict(raises, raises)
 
     def answered(self) -> None:

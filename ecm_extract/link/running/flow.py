@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections import defaultdict
 from collections.abc import Collection, Hashable, Mapping, Sequence, Set
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Name
+from ecm_parsers.source.expr import Call, Expr
 
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
@@ -23,12 +22,14 @@ from ecm_extract.link.running.decisions import Decisions
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.exceptions import Exceptions
 from ecm_extract.link.running.own_calls import OwnCalls
+from ecm_extract.link.running.parameter_reads import read_into
 from ecm_extract.link.running.run_keys import RunKeys
 from ecm_extract.link.running.truths import Truths
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
     from ecm_extract.link.running.lasting_states import LastingStates
+    from ecm_extract.link.running.lent import Lent
 
 MAX_WITHIN = 100
 """Runs that one run leads to, directly or through others."""
@@ -54,7 +55,7 @@ class Flow:
         self._meanwhile: dict[Hashable, tuple[Env, Run]] = {}
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
-        self._own = OwnCalls(folder.program)
+        self._own = OwnCalls(folder.program, lambda func, this: folder.methods.leaves(func, this))
         self.exceptions = Exceptions(folder.program)
         self._truths = Truths(folder, self.outline)
         self.decisions = Decisions(folder, self._truths)
@@ -64,6 +65,11 @@ class Flow:
     def lasting(self) -> LastingStates:
         """Who follows variables that outlive a call."""
         return self.folder.lasting_states
+
+    @property
+    def lent(self) -> Lent:
+        """Who follows what functions change which are handed to others."""
+        return self.folder.lent
 
     @property
     def running(self) -> Collection[Func]:
@@ -194,6 +200,8 @@ class Flow:
         states = self.states(env)
         found = [self.decisions.ways(state.holds.get(key, ())) for state in states]
         if not any(found):
+            if key in self.outline(env.func).escaped and "." in key[1:]:
+                return [(Held("lost", key),)]  # a function within may give the field something any time
             return [] if any(state.called for state in states) else self._entered(key, env)
         shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
         known = [ways or (Held("shared" if shared else "given", key),) for ways in found]
@@ -267,8 +275,11 @@ class Flow:
 
     def target(self, call: Call, func: Func, at: int) -> Func | None:
         """Return the function with a body that a call in a statement of a function means."""
-        env = Env(func, at, this=func.cls)
-        return self.folder.objects.callee(invocation_of(call, env), env)
+        return self.folder.objects.run_by(call, Env(func, at, this=func.cls))
+
+    def shown_part(self, call: Call, func: Func) -> Expr | None:
+        """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
+        return self.folder.parts.shown(call, func)
 
     def keeps(self, path: str) -> bool:
         """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
@@ -330,12 +341,7 @@ class Flow:
 
     def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
         """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
-        found: dict[int, list[tuple[Expr, Expr, Expr | None]]] = defaultdict(list)
-        for target, entries in self.folder.reads.all_written(func).items():
-            for at, name, default in entries:
-                if not target.startswith("."):
-                    found[at].append((Name(target), name, default))
-        return found
+        return read_into(self.folder.reads.all_written(func))
 
     def settle(self, held: Held) -> None:
         """Evaluate now, so that a long chain of changes needs no deep recursion later."""

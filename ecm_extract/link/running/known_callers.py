@@ -10,7 +10,7 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Opaque, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.spelling import by_value, last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.running.env import Env
@@ -109,10 +109,35 @@ class KnownCallers:
             own = name in self.folder.flow.effects(func).own
             body = enumerate(func.fact.body)
             kept = own and not any(self._gives(statement, name, func, at) for at, statement in body)
-            known = self._kept[func, name] = kept
+            known = self._kept[func, name] = kept and not self.is_changed_inside(name, func)
         return known
 
+    def is_changed_inside(self, name: str, func: Func) -> bool:
+        """Tell whether a function within another one may change an object that is in a variable of that."""
+        inner = self.folder.nesting.inner(func)
+        return any(
+            self._may_change(call, name, each, at)
+            for each in inner
+            if name in self.folder.shifting.names(each) and name not in self.folder.flow.effects(each).own
+            for at, calls in enumerate(each.calls)
+            for call in calls
+        )
+
+    def _may_change(self, call: Call, name: str, func: Func, at: int) -> bool:
+        """Whether a call gives an object away, or is one of a method that may change it."""
+        if any(arg == Name(name) for arg in (*call.args, *(value for _, value in call.keywords))):
+            return True
+        root = call.callee
+        while isinstance(root, Member):
+            root = root.base
+        if root != Name(name) or root == call.callee:
+            return False
+        callee = self.folder.flow.target(call, func, at)
+        return callee is None or any(key.startswith(".") for key in self.folder.flow.outline(callee).changes)
+
     def _gives(self, statement: Statement, name: str, func: Func, at: int) -> bool:
+        if self._is_copied(statement, name, func):
+            return False
         pending = [statement.value] if statement.value is not None else []
         while pending:
             expr = pending.pop()
@@ -122,9 +147,30 @@ class KnownCallers:
                 continue
             if isinstance(expr, Call) and not self.folder.flow.is_own(expr, func, at):
                 pending += [part for part in children(expr) if not isinstance(part, Name)]
+            elif isinstance(expr, Call):
+                lent = self._lent(expr, func, at)
+                pending += [part for part in children(expr) if not any(part is each for each in lent)]
             else:
                 pending += children(expr)
         return False
+
+    def _is_copied(self, statement: Statement, name: str, func: Func) -> bool:
+        """Whether a statement of C++ makes another object of what is in a variable."""
+        if func.file.language != "cpp" or statement.value != Name(name) or statement.kind not in {"let", "set"}:
+            return False
+        return by_value(func.written_types.get(name, "")) and not statement.type.endswith(("&", "*"))
+
+    def _lent(self, call: Call, func: Func, at: int) -> Sequence[Expr]:
+        """The arguments of C++ that a function of the tree gets copies of, or only looks at."""
+        callee = self.folder.flow.target(call, func, at) if func.file.language == "cpp" else None
+        params = callee.params if callee is not None else ()
+        taken = zip(call.args, params, strict=False)
+        return [arg for arg, param in taken if by_value(param.type) or _is_looked_at(param.type)]
+
+
+def _is_looked_at(written: str) -> bool:
+    """Whether who gets an object by a type cannot change it."""
+    return written.startswith("const ") and written.endswith("&")
 
 
 def _handed(statement: Statement) -> Iterator[str]:

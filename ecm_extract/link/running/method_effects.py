@@ -119,6 +119,7 @@ class MethodEffects:
     def _members(self, func: Func, this: Cls | None) -> Set[str] | None:
         asked = (func, this)
         if asked not in self._known:
+            self._known[asked] = None  # who asks in a circle does not know
             self._known[asked] = self._reached(func, this)
         return self._known[asked]
 
@@ -132,7 +133,7 @@ class MethodEffects:
         if asked not in self._depending:
             self._depending[asked] = False  # who asks in a circle
             called = self._called(func, this) or () if func.cls is not None else ()
-            own = self.folder.shifting.is_read(func, this)
+            own = self.folder.shifting.is_read(func, this) or self.folder.object_fields.reads(func, this)
             self._depending[asked] = own or any(self.depends(each, this) for each in called)
         return self._depending[asked]
 

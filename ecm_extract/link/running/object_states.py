@@ -45,8 +45,11 @@ class ObjectStates:
             env: a place in the method.
         """
         func = env.func
-        if func.cls is None or func.is_constructor or not key.startswith(".") or key.count(".") > 1:
+        if func.cls is None or func.is_constructor or not key.startswith("."):
             return None
+        found = self.folder.object_fields.at_caller(key, env)
+        if found is not None or key.count(".") > 1:
+            return found
         if not self._may_differ(key[1:], env.this or func.cls, env):
             return None
         if env.depth > MAX_DEPTH:
@@ -78,10 +81,12 @@ class ObjectStates:
     def _may_differ(self, name: str, cls: Cls, env: Env) -> bool:
         """Whether it matters who calls: for a member that shifts, or that is what the object was made with."""
         made = env.made is not None and env.made.maker is not None
-        return self.folder.shifting.member(name, cls) or (not made and self.folder.shifting.is_passed(name, cls))
+        if self.folder.shifting.member(name, cls) or self.folder.object_fields.is_given(name, cls):
+            return True
+        return not made and self.folder.shifting.is_passed(name, cls)
 
     def _entered(self, key: str, env: Env) -> Held | None:
-        if self.callers.may_be_written_outside(key[1:], env.func):
+        if self.callers.may_be_written_outside(key[1:], env.func) and not self.folder.object_fields.is_known(env):
             return None
         places = [env.caller] if env.caller is not None else list(self._calling(env))
         found = [self._left(key, place, env) for place in places]

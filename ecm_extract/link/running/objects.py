@@ -11,11 +11,11 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.code.overloads import NO, score
-from ecm_extract.link.code.pointed import pointed
+from ecm_extract.link.code.pointed import pointed as pointed_class
 from ecm_extract.link.code.spelling import last_name, plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
-from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, bind
+from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, bind, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
 from ecm_extract.link.running.scope import Scope
 
@@ -113,8 +113,8 @@ class Objects:
     def _made_type(self, expr: Call, env: Env) -> str:
         if isinstance(expr.callee, Name):
             last = expr.callee.id.rsplit("::", 1)[-1]
-            if pointed(expr):
-                return pointed(expr)
+            if pointed_class(expr):
+                return pointed_class(expr)
             if last in {"dynamic_pointer_cast", "static_pointer_cast"} and expr.types:
                 return expr.types[0]
             if last in HANDLES_OF_NODELETS:
@@ -226,6 +226,14 @@ class Objects:
             made = Instance(made.cls, bind(target, call, env.before(call.at)), made.types, target)
         return made
 
+    def may_run(self, func: Func, cls: Cls, call: Invocation) -> bool:
+        """Tell whether a call that makes an object may run a function: of constructors those that it means."""
+        least, most = func.arity
+        if not func.is_constructor or func.cls is not cls or least <= len(call.args) + len(call.keywords) <= most:
+            return True
+        maker = self.constructor(cls, len(call.args))
+        return maker is not None and _base_call(maker, cls) is not None  # it leaves the work to another one
+
     def _meant(self, written: str, cls: Cls) -> str:
         """What a template argument in the head of a class stands for where the class is."""
         return self.program.alias(written, cls.file, cls.fact.scope) or written
@@ -239,6 +247,14 @@ class Objects:
         return min(defined, key=lambda f: abs(len(f.params) - count), default=None)
 
     # --- functions -------------------------------------------------------------------------------------
+
+    def run_by(self, call: Call, env: Env) -> Func | None:
+        """Return the function with a body that a call means, or the constructor of what it makes behind a pointer."""
+        made = pointed_class(call)
+        cls = self.class_written(made, env) if made else None
+        if made:
+            return self.constructor(cls, len(call.args)) if cls is not None else None
+        return self.callee(invocation_of(call, env), env)
 
     def callee(self, call: Invocation, env: Env) -> Func | None:
         """Return the function in the tree that a call means, with a body; of several that it can mean one."""

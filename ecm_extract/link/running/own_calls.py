@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from ecm_parsers.source.expr import Call
 
+from ecm_extract.infer.effects import calls_of
 from ecm_extract.link.code.handing_on import THIS, hands_on
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
@@ -12,10 +15,16 @@ from ecm_extract.link.running.objects import is_super
 
 
 class OwnCalls:
-    """Tells of calls whether they stay in the tree; which methods the objects of a class have is worked out once."""
+    """Tells of calls whether they stay in the tree; which methods the objects of a class have is worked out once.
 
-    def __init__(self, program: Program) -> None:
+    Args:
+        program: the program.
+        leaves: tells whether a method changes no member of an object of a class.
+    """
+
+    def __init__(self, program: Program, leaves: Callable[[Func, Cls], bool]) -> None:
         self.program = program
+        self._leaves = leaves
         self._methods: dict[Cls, frozenset[str]] = {}
         self._known: dict[tuple[Func, int], tuple[Call, ...]] = {}
         self._reaching: dict[tuple[Func, int, Cls | None, Call], bool] = {}
@@ -51,8 +60,23 @@ class OwnCalls:
         return self.hands_on(call, env) or (implied and not makes and self._is_method(found.last, env))
 
     def hands_on(self, call: Call, env: Env) -> bool:
-        """Tell whether a call gives others the object at hand, or a function that may use it."""
-        return hands_on(call, lambda name: self._is_method(name, env))
+        """Tell whether a call gives others the object at hand, or a function that may change it."""
+        file = env.func.file
+        changing = calls_of(file.language).changing
+        return hands_on(
+            call,
+            lambda name: self._may_change(name, env),
+            lambda name: name in changing or bool(self.program.seen_functions(name, file)),
+        )
+
+    def _may_change(self, name: str, env: Env) -> bool:
+        """Whether some method of that name of the object at hand may change its members."""
+        cls = env.this or env.func.cls
+        if cls is None or not self._is_method(name, env):
+            return False
+        lineage = (*self.program.ancestry(cls), *self.program.derived(cls))
+        named = [each for entry in lineage for each in entry.methods if each.fact.name == name and each.fact.body]
+        return not named or not all(self._leaves(each, cls) for each in named)
 
     def _is_class(self, name: str, env: Env) -> bool:
         cls = env.this or env.func.cls

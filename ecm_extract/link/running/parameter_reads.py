@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from typing import Protocol
 
-from ecm_parsers.source.expr import (
-    Expr,
-)
+from ecm_parsers.source.expr import Expr, Name
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, File, Func
@@ -44,3 +43,15 @@ class ParameterReads(Protocol):
 
     def default(self, name: str, package: str, owners: Sequence[Cls | File] = ()) -> tuple[Expr, Env] | Value | None:
         """Return the declared default of a parameter: by its owners first, then by the package where it has one."""
+
+
+def read_into(
+    written: Mapping[str, Sequence[tuple[int, Expr, Expr | None]]],
+) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
+    """Return statement -> (variable, name, default) of what is read into variables, not into their fields."""
+    found: dict[int, list[tuple[Expr, Expr, Expr | None]]] = defaultdict(list)
+    for target, entries in written.items():
+        for at, name, default in entries:
+            if not target.startswith("."):
+                found[at].append((Name(target), name, default))
+    return found

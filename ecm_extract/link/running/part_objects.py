@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
+from ecm_extract.link.code.handing_on import THIS
 from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, bind, invocation_of
@@ -24,6 +25,7 @@ class PartObjects:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._steady: dict[tuple[Cls, str], bool] = {}
+        self._shown: dict[tuple[Func, Call], Expr | None] = {}
 
     def maker(self, expr: Expr | None, env: Env) -> Env | None:
         """Return the beginning of the constructor that makes an object; None of others."""
@@ -33,6 +35,33 @@ class PartObjects:
             return self.folder.states.constructor(expr, env) or self._returned(expr, env)
         name = self._member(expr, env)
         return self._of_member(name, env) if name else None
+
+    def shown(self, call: Call, func: Func) -> Expr | None:
+        """Return the part of an object that a method does nothing with but give a reference to; None of other calls."""
+        key = (func, call)
+        if key not in self._shown:
+            self._shown[key] = None  # who asks in a circle
+            self._shown[key] = self._shown_by(call, func)
+        return self._shown[key]
+
+    def _shown_by(self, call: Call, func: Func) -> Expr | None:
+        if not isinstance(call.callee, Member) or call.args:
+            return None
+        callee = self.folder.flow.target(call, func, len(func.fact.body))
+        cls = callee.cls if callee is not None else None
+        if callee is None or cls is None or "reference" not in callee.fact.traits or len(callee.fact.body) != 1:
+            return None
+        derived = (method for entry in self.folder.program.derived(cls) for method in entry.methods)
+        given = callee.fact.body[0].value
+        own = (
+            given.name
+            if isinstance(given, Member) and given.base == THIS
+            else given.id
+            if isinstance(given, Name)
+            else ""
+        )
+        alone = own in cls.fields and not any(method.fact.name == callee.fact.name for method in derived)
+        return Member(call.callee.base, own) if alone else None
 
     def _member(self, expr: Expr | None, env: Env) -> str:
         """The member of the object at hand that an expression is, in a lambda that of the method around it."""

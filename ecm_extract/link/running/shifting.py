@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Member, Name
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.places import target_of
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 
@@ -72,17 +73,17 @@ class Shifting:
             return False
         effects = self.folder.flow.effects(method)
         statement = method.fact.body[at]
-        plain = effects.key(statement.target) == key and not any(effect.key == key for effect in effects.of(at))
+        plain = effects.key(target_of(statement)) == key and not any(effect.key == key for effect in effects.of(at))
         without_target = Statement("do", statement.line, statement.value)
         named = (expr for expr, _ in expressions(without_target) if isinstance(expr, Name | Member))
         return plain and not any(effects.key(expr) == key for expr in named)
 
     def is_read(self, func: Func, cls: Cls | None) -> bool:
         """Tell whether a function names a member that shifts, of an object of a class."""
-        return cls is not None and any(self.member(name, cls) for name in self._names(func))
+        return cls is not None and any(self.member(name, cls) for name in self.names(func))
 
-    def _names(self, func: Func) -> Set[str]:
-        """The names in the body of a function."""
+    def names(self, func: Func) -> Set[str]:
+        """Return the names in the body of a function."""
         known = self._named.get(func)
         if known is None:
             parts = (expr for statement in func.fact.body for expr, _ in expressions(statement))

@@ -11,6 +11,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_checker.match.engine import Match
 
 from ecm_extract.link.code.spelling import last_name
+from ecm_extract.lint.library_bases import brought_by_bases
 from ecm_extract.lint.lines import line_of_name
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
@@ -30,10 +31,6 @@ RULE = LintRule(
     of_sources="remaps of nodes",
 )
 _PATH = re.compile(r"\w/\w")
-_FRAMEWORK = re.compile(
-    r"Node|Interface|Controller|Plugin|Base|^Q[A-Z]|^(?:enable_shared_from_this|object|ABC|Thread|Generic)$"
-)
-"""Bases that bring no names, by how they are called."""
 _MARKUP = (".launch", ".xml", ".yaml", ".yml")
 
 _Program = tuple[str, str, str]
@@ -54,7 +51,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             line = each.remap.place, each.remap.source  # which may be launched many times, for other targets
             if _key(each.remap) not in alive and line not in seen:
                 process = [other for other in nodes if other.instance.place == each.node.instance.place]
-                is_foreign = any(_has_foreign_base(other, workspace) for other in process)
+                is_foreign = any(_may_be_of_base(each.remap, other, workspace) for other in process)
                 if not is_foreign and not _is_written(each.remap, process, written):
                     seen.add(line)
                     yield _finding(each.remap, each.node, workspace)
@@ -103,16 +100,15 @@ def _program(node: SystemNode) -> _Program:
     return node.instance.package, node.instance.executable, node.instance.plugin
 
 
-def _has_foreign_base(node: SystemNode, workspace: Workspace) -> bool:
-    """Tell whether a node derives from a class outside of the tree that may have names of its own."""
+def _may_be_of_base(remap: Remapping, node: SystemNode, workspace: Workspace) -> bool:
+    """Tell whether a node derives from a class outside of the tree that has the name, or may have any."""
     if any(module.package not in workspace.by_name for module in node.modules):
         return True  # documents tell the bases of public classes only
     program = workspace.linker.program
     names = {module.cls for module in node.modules}
     classes = [cls for name in names for cls in program.classes.get(last_name(name), ()) if cls.qualified == name]
-    known = {entry.fact.name for cls in classes for entry in program.ancestry(cls)}
-    names = {last_name(name) for cls in classes for name in program.base_names(cls)}
-    return any(name not in known and _FRAMEWORK.search(name) is None for name in names)
+    brought = [brought_by_bases(cls, program) for cls in classes]
+    return any(names is None or remap.source.lstrip("~/") in names for names in brought)
 
 
 def _finding(remap: Remapping, node: SystemNode, workspace: Workspace) -> Finding:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final
@@ -14,6 +13,7 @@ from ecm_checker.hub.package import Provided
 
 from ecm_extract.entities.public_files import public_headers, python_modules
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.index.call_index import call_index
 from ecm_extract.lint.deprecations import deprecated_in
@@ -35,8 +35,6 @@ RULE = LintRule(
 )
 _PRIVATE = "_"
 _FILE: Final = "file"
-_LAST: Final = re.compile(r"::|\.")
-"""What parts names of C++ and of Python."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -125,7 +123,7 @@ def _functions_told(workspace: Workspace) -> Mapping[str, _Rows]:
     found: dict[str, list[tuple[str, Provided]]] = defaultdict(list)
     for package, row in _told(workspace):
         if kinds()[row.kind].called:
-            found[_LAST.split(row.name)[-1]].append((package, row))
+            found[last_name(row.name)].append((package, row))
     return found
 
 

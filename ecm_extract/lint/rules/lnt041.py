@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from ecm_checker.contract import Evidence
@@ -93,6 +92,5 @@ def _closure(target: str, ordered: Mapping[str, set[str]]) -> set[str]:
 
 def _makes(name: str, owner: str, own: bool) -> bool:
     """Tell whether a name in add_dependencies stands for the headers of a package."""
-    if re.match(rf"{re.escape(owner)}_(?:gen|EXPORTED)|\$\{{{re.escape(owner)}_EXPORTED", name):
-        return True
-    return not own and "catkin_EXPORTED_TARGETS" in name
+    makes = name.startswith((f"{owner}_gen", f"{owner}_EXPORTED", f"${{{owner}_EXPORTED"))
+    return makes or (not own and "catkin_EXPORTED_TARGETS" in name)

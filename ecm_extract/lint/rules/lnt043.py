@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
+from pathlib import PurePosixPath
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding, Severity
@@ -31,7 +31,6 @@ _SHOWN = 5
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
 _NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
 _NAMING = (".launch", ".launch.xml", ".xacro", ".urdf")
-_SUFFIX = re.compile(r"\.\w+$")
 _BUILD = frozenset({"setup.py", "conf.py"})
 _SCRIPTS = (".py", ".sh", ".bash")
 
@@ -100,7 +99,7 @@ def _named(workspace: Workspace) -> dict[str, set[str]]:
     for path in (*_naming(workspace), *workspace.beside.ending(*_NAMING)):
         read = workspace.beside.files.parsed(path, parse_references)
         for named in read.facts if read is not None else ():
-            if _SUFFIX.search(named.path):
+            if PurePosixPath(named.path).suffix:
                 found.setdefault(named.package, set()).add(named.path)
     return found
 

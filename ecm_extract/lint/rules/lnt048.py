@@ -12,11 +12,11 @@ from typing import Final, NamedTuple
 from ecm_checker.contract import Evidence, Interface
 from ecm_checker.finding import Entity, Finding
 from ecm_checker.hub.running import RunningEndpoint
-from ecm_parsers.source.expr import Call, Expr, Member
+from ecm_parsers.source.expr import Call, Member
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.code.walk import dotted, expressions
+from ecm_extract.link.code.units import File
+from ecm_extract.link.code.walk import dotted, expressions, last_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt008 import mismatch
 from ecm_extract.lint.workspace import Workspace
@@ -76,13 +76,16 @@ def _readers(workspace: Workspace) -> Iterator[Reader]:
 
 def _reads_lists(package: str, workspace: Workspace) -> bool:
     """Tell whether Python of a package loads YAML or JSON files: the topics may be those that a file lists."""
-    files = [file for file in workspace.linker.program.files if file.package == package]
-    bodies = [fact.body for file in files for fact in file.facts.functions if file.facts.language == "python"]
-    return any(_loads(expr) for body in bodies for step in body for expr, _ in expressions(step))
+    program = workspace.linker.program
+    files = (file for file in program.files if file.package == package and file.language == "python")
+    return any(program.canonical(name, file) in _LOADERS for file in files for name in _calls(file))
 
 
-def _loads(expr: Expr) -> bool:
-    return isinstance(expr, Call) and dotted(expr.callee) in _LOADERS
+def _calls(file: File) -> Iterator[str]:
+    """The names of what a file calls, as written."""
+    steps = (step for fact in file.facts.functions for step in fact.body)
+    found = (expr for step in steps for expr, _ in expressions(step))
+    return (dotted(expr.callee) or "" for expr in found if isinstance(expr, Call))
 
 
 def _asks(interface: Interface) -> bool:
@@ -110,11 +113,7 @@ def _around(place: Evidence, workspace: Workspace) -> Iterator[Statement]:
 def _is_generic(statement: Statement, line: int) -> bool:
     """Tell whether a statement calls on a line what makes a subscription of any type."""
     called = (each.callee for each, _ in expressions(statement) if isinstance(each, Call) and each.line == line)
-    return any(_called(each) == _GENERIC for each in called)
-
-
-def _called(callee: Expr) -> str:
-    return callee.name if isinstance(callee, Member) else last_name(dotted(callee) or "")
+    return any(last_of(each) == _GENERIC for each in called)
 
 
 def _chooses(statement: Statement) -> bool:

@@ -10,6 +10,7 @@ from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.source import cpp_text
 from ecm_parsers.source.cpp_dead import without_dead
 from ecm_parsers.source.cpp_declarations import DeclarationReader
+from ecm_parsers.source.cpp_macro_calls import with_macro_calls
 from ecm_parsers.source.cpp_mentions import mentions
 from ecm_parsers.source.cpp_parser import MAX_SECONDS, TooSlowError, first_error, parse_tree
 from ecm_parsers.source.cpp_place import Place
@@ -33,7 +34,7 @@ def parse_cpp(data: bytes) -> Parsed[SourceFile]:
     if len(data) > MAX_BYTES:
         message = f"{len(data)} bytes of C++ were not read: the limit is {MAX_BYTES}. Exclude generated files."
         return Parsed(SourceFile("cpp"), (Diagnostic("warning", "cpp-too-large", 0, message, cut=True),))
-    data = without_dead(data)
+    data = with_macro_calls(without_dead(data))
     try:
         tree, read = parse_tree(data)
     except TooSlowError:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.cpp_arrays import array_value, extents
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_parameters import declared_name
+from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of
 from ecm_parsers.source.cpp_vexing import as_arguments
 from ecm_parsers.source.expr import Call, Expr, Items, Name
@@ -88,7 +89,7 @@ class Binding:
         """A declared type with its qualifiers."""
         first = next((child for child in node.children if child.type == "type_qualifier"), kind)
         text = self.expr.data[min(first.start_byte, kind.start_byte) : declarator.start_byte]
-        return " ".join(text.decode("utf-8", "replace").split())
+        return collapsed(text.decode("utf-8", "replace"))
 
     def _constructed(self, kind: Node, declarator: Node) -> None:
         """`Listener listener(buffer);` reads as a function declaration; in a body it makes an object."""

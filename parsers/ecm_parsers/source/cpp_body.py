@@ -10,12 +10,19 @@ from ecm_parsers.source.cpp_binding import Binding
 from ecm_parsers.source.cpp_captures import capturing, initial_captures
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
-from ecm_parsers.source.cpp_parameters import declared_name, parameters
+from ecm_parsers.source.cpp_lambdas import (
+    DeclaredFunctions,
+    as_function,
+    changes_copies,
+    lambda_parameters,
+    place_name,
+)
+from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_raising import type_thrown, types_caught
-from ecm_parsers.source.cpp_statements import StatementWriter, line_of
+from ecm_parsers.source.cpp_statements import StatementWriter, line_of, otherwise
 from ecm_parsers.source.cpp_vexing import loop_macro
 from ecm_parsers.source.expr import Constant, Expr, Lambda, Name, Op, Opaque
-from ecm_parsers.source.facts import Function, Parameter
+from ecm_parsers.source.facts import Function
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Later, Leave, Loop, Switch
 
 if TYPE_CHECKING:
@@ -33,13 +40,15 @@ class BodyReader:
 
     Attributes:
         writer: what was read so far, in source order, and how it follows each other.
-        functions: lambdas bound to a name, read as functions of their own.
+        functions: lambdas that are read as functions of their own.
+        declared: the functions of the file.
         local_names: `using A = B`, `using namespace a` and the like; whoever reads declarations reads them.
     """
 
-    def __init__(self, data: bytes, scope: str) -> None:
-        self.expr = ExprReader(data, self._lambda_body, self._called_lambda)
+    def __init__(self, data: bytes, scope: str, declared: DeclaredFunctions) -> None:
+        self.expr = ExprReader(data, self._lambda_body, self._called_lambda, self._handed_lambda)
         self.scope = scope
+        self.declared = declared
         self.writer = StatementWriter()
         self.functions: list[Function] = []
         self.local_names: list[Node] = []
@@ -92,10 +101,10 @@ class BodyReader:
     def _if(self, node: Node) -> None:
         """A condition with its block; `else if` makes it a choice among conditions, of which the first one holds."""
         self.writer.depth += 1
-        cases, other = [self._tested(node)], _otherwise(node)
+        cases, other = [self._tested(node)], otherwise(node)
         while other is not None and other.type == "if_statement":
             cases.append(self._tested(other))
-            other = _otherwise(other)
+            other = otherwise(other)
         self.writer.depth -= 1
         rest = self._inner(other)
         if len(cases) == 1:
@@ -249,31 +258,41 @@ class BodyReader:
 
     def _called_lambda(self, node: Node) -> str:
         """Read a lambda that is called where it stands as a function of that place; return its name."""
-        row, column = node.start_point
-        name = f"<lambda {row + 1}:{column + 1}>"
+        name = place_name(node)
         self._named_lambda(name, node)
         return name
 
+    def _handed_lambda(self, node: Node) -> Lambda | None:
+        """Read a lambda that is handed to a function of the file as a function of that place; None of others."""
+        if self.writer.lambdas or not self.declared.get(node):
+            return None
+        return as_function(lambda_types(self.expr, node), self._lambda_function(place_name(node), node))
+
     def _named_lambda(self, name: str, node: Node) -> None:
+        self._lambda_function(name, node)
+        self.writer.add("let", node, Lambda(lambda_types(self.expr, node)), Name(name), "auto")
+
+    def _lambda_function(self, name: str, node: Node) -> Function:
         body = node.child_by_field_name("body")
         held = self._held_captures(name, node)
-        inner = BodyReader(self.expr.data, f"{self.scope}::{name}")
+        inner = BodyReader(self.expr.data, f"{self.scope}::{name}", self.declared)
         inner._nesting = self._nesting
         if body is not None:
             inner.read(body)
         made = Function(
             name,
             self.scope,
-            _lambda_parameters(self.expr, node),
+            lambda_parameters(self.expr, node),
             "",
             line_of(node),
             node.end_point[0] + 1,
             tuple(inner.writer.statements),
-            traits=("lambda", "mutable") if _is_mutable(node) else ("lambda",),
+            traits=("lambda", "mutable") if changes_copies(node) else ("lambda",),
             flow=inner.writer.flow(),
         )
-        self.functions.extend(capturing((made, *inner.functions), held))
-        self.writer.add("let", node, Lambda(lambda_types(self.expr, node)), Name(name), "auto")
+        read = capturing((made, *inner.functions), held)
+        self.functions.extend(read)
+        return read[0]
 
     def _held_captures(self, name: str, node: Node) -> Mapping[str, str]:
         """Declare what a lambda evaluates when it is made; return what its body calls that, by its own names."""
@@ -288,7 +307,7 @@ class BodyReader:
         return found
 
     def _lambda_body(self, node: Node) -> None:
-        given = [parameter.name for parameter in _lambda_parameters(self.expr, node)]
+        given = [parameter.name for parameter in lambda_parameters(self.expr, node)]
         names = (*given, *self._captured(node))
         self.writer.lambdas += 1
         self.writer.step(Later(self._inner(node.child_by_field_name("body")), names))
@@ -299,14 +318,6 @@ class BodyReader:
         for capture in initial_captures(node):
             self._assigning.expression(capture.value)
         return [capture.name for capture in initial_captures(node)]
-
-
-def _otherwise(node: Node) -> Node | None:
-    """What an `else` leads to."""
-    clause = node.child_by_field_name("alternative")
-    if clause is None or clause.type != "else_clause":
-        return clause
-    return next((child for child in clause.named_children if child.type != "comment"), None)
 
 
 _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
@@ -336,15 +347,3 @@ _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
     "preproc_elif": BodyReader._preprocessed,
     "preproc_elifdef": BodyReader._preprocessed,
 }
-
-
-def _lambda_parameters(reader: ExprReader, node: Node) -> tuple[Parameter, ...]:
-    declarator = node.child_by_field_name("declarator")
-    return parameters(reader, declarator.child_by_field_name("parameters") if declarator is not None else None)
-
-
-def _is_mutable(node: Node) -> bool:
-    """Whether a lambda may change its own copies of what it captures."""
-    declarator = node.child_by_field_name("declarator")
-    parts = declarator.children if declarator is not None else []
-    return any(part.text == b"mutable" for part in parts)

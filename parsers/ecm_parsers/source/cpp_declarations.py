@@ -17,6 +17,7 @@ from ecm_parsers.source.cpp_declarators import (
     split_name,
 )
 from ecm_parsers.source.cpp_expr import ExprReader
+from ecm_parsers.source.cpp_lambdas import DeclaredFunctions
 from ecm_parsers.source.cpp_macro_values import macro_value
 from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
 from ecm_parsers.source.cpp_parameters import declared_name, parameters, specialized
@@ -47,6 +48,7 @@ class DeclarationReader:
         self.classes: list[Class] = []
         self.functions: list[Function] = []
         self.constants: list[Constant] = []
+        self._declared = DeclaredFunctions(data)
         self._namespaces: list[tuple[int, int, str]] = []
         self._nesting = 0
 
@@ -176,7 +178,7 @@ class DeclarationReader:
         kind, body = node.child_by_field_name("type"), node.child_by_field_name("body")
         if is_call_of_macro(node, scope, name):
             return
-        read = BodyReader(self.data, f"{scope}::{name}" if scope else name)
+        read = BodyReader(self.data, f"{scope}::{name}" if scope else name, self._declared)
         for child in node.named_children:
             if child.type == "field_initializer_list":
                 read.initializers(child)

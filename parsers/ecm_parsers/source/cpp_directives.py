@@ -9,14 +9,16 @@ import re
 from collections.abc import Iterator
 from typing import Final, NamedTuple
 
-_COMMENT: Final = rb"//(?:[^\\\n]|\\\r?\n|\\)*|/\*(?:[^*]|\*(?!/))*(?:\*/)?"
-_QUOTED: Final = rb""""(?:[^"\\\n]|\\\r?\n|\\.)*"?|'(?:[^'\\\n]|\\.)'"""
-_RAW: Final = rb'(?<![A-Za-z0-9_])(?:u8|[uUL])?R"(?P<mark>[^()\\\s"]{0,16})\('
-_TOKEN: Final = re.compile(rb"(?P<comment>" + _COMMENT + rb")|" + _RAW + rb"|" + _QUOTED + rb"|(?P<sign>\#)")
+COMMENT: Final = rb"//(?:[^\\\n]|\\\r?\n|\\)*|/\*(?:[^*]|\*(?!/))*(?:\*/)?"
+QUOTED: Final = rb""""(?:[^"\\\n]|\\\r?\n|\\.)*"?|'(?:[^'\\\n]|\\.)'"""
+RAW: Final = rb'(?<![A-Za-z0-9_])(?:u8|[uUL])?R"(?P<mark>[^()\\\s"]{0,16})\('
+_TOKEN: Final = re.compile(rb"(?P<comment>" + COMMENT + rb")|" + RAW + rb"|" + QUOTED + rb"|(?P<sign>\#)")
 _WITH_BRACKETS: Final = re.compile(_TOKEN.pattern + rb"|(?P<bracket>[{}()])")
-_LINE: Final = re.compile(rb"(?:[^\n\\/\"']|\\\r?\n|" + _COMMENT + rb"|" + _QUOTED + rb"|[\\/'])*")
+_LINE: Final = re.compile(rb"(?:[^\n\\/\"']|\\\r?\n|" + COMMENT + rb"|" + QUOTED + rb"|[\\/'])*")
 _WORD: Final = re.compile(rb"\#\s*(?P<word>\w+)\s*")
-_INSIDE: Final = re.compile(rb"(?P<kept>" + _QUOTED + rb")|\\\r?\n|" + _COMMENT)
+INCLUDING: Final = frozenset({b"include", b"include_next", b"import"})
+_CLOSED_BY: Final = {b"<": b">", b'"': b'"'}
+_INSIDE: Final = re.compile(rb"(?P<kept>" + QUOTED + rb")|\\\r?\n|" + COMMENT)
 
 
 class Directive(NamedTuple):
@@ -32,6 +34,16 @@ class Bracket(NamedTuple):
     """A brace or parenthesis of the code."""
 
     sign: bytes
+
+
+def included(data: bytes) -> Iterator[str]:
+    """Yield the paths that the directives of a file include; none of what a macro stands for."""
+    for each in directives(data):
+        if each.word in INCLUDING:
+            opening, closing = each.rest[:1], _CLOSED_BY.get(each.rest[:1])
+            path, found, _ = each.rest[len(opening) :].partition(closing) if closing else (b"", b"", b"")
+            if found:
+                yield path.decode("utf-8", "replace").strip()
 
 
 def directives(data: bytes) -> Iterator[Directive]:

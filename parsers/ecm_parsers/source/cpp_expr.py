@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.numbers import truncated
 from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
+from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.expr import (
     Call,
     Expr,
@@ -49,14 +50,20 @@ class ExprReader:
         data: the bytes that the nodes point into.
         inline: called with each lambda that has a body, on the way.
         called: called with each lambda that is called where it stands; gives the function that it is read as.
+        handed: called with every other one; gives what it is where it is read as a function as well.
     """
 
     def __init__(
-        self, data: bytes, inline: Callable[[Node], None], called: Callable[[Node], str] | None = None
+        self,
+        data: bytes,
+        inline: Callable[[Node], None],
+        called: Callable[[Node], str] | None = None,
+        handed: Callable[[Node], Lambda | None] | None = None,
     ) -> None:
         self.data = data
         self.inline = inline
         self.called = called
+        self.handed = handed
         self._depth = 0
 
     def text(self, node: Node) -> str:
@@ -65,7 +72,7 @@ class ExprReader:
 
     def type_text(self, node: Node) -> str:
         """Return a type as written, white space collapsed."""
-        return " ".join(self.text(node).split())
+        return collapsed(self.text(node))
 
     def read(self, node: Node) -> Expr:
         """Return the expression at `node`; beyond `MAX_DEPTH` levels it is opaque."""
@@ -232,6 +239,9 @@ def _last(reader: ExprReader, node: Node) -> Expr:
 
 def _lambda(reader: ExprReader, node: Node) -> Expr:
     if node.child_by_field_name("body") is not None:
+        handed = reader.handed(node) if reader.handed is not None else None
+        if handed is not None:
+            return handed
         reader.inline(node)
     return Lambda(lambda_types(reader, node))
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ecm_parsers.source.cpp_declarations import DeclarationReader
 
 CLASSES = frozenset({"class_specifier", "struct_specifier", "union_specifier"})
+_MARKS = {"pointer_declarator": "*", "reference_declarator": "&"}
 
 
 def members(reader: DeclarationReader, body: Node, place: Place, access: str) -> list[Field]:
@@ -68,5 +69,5 @@ def declared_type(reader: DeclarationReader, kind: Node | None, declarator: Node
     if kind is not None and kind.type in CLASSES and kind.child_by_field_name("body") is not None:
         named = kind.child_by_field_name("name")
         return reader.expr.name(named) if named is not None else declared_name(reader.expr, declarator)
-    mark = ("*" if declarator.type == "pointer_declarator" else "") + extents(declarator)
+    mark = _MARKS.get(declarator.type, "") + extents(declarator)
     return (reader.expr.type_text(kind) if kind is not None else "") + mark

@@ -6,6 +6,7 @@ from string import ascii_letters, digits
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_expr import ExprReader
+from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.facts import Parameter
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ def parameters(reader: ExprReader, listed: Node | None) -> tuple[Parameter, ...]
         end = declarator if declarator is not None else default
         written = reader.data[child.start_byte : end.start_byte if end is not None else child.end_byte]
         suffix = _suffix(reader, declarator)
-        text = " ".join(written.decode("utf-8", "replace").rstrip(" =").split()) + suffix
+        text = collapsed(written.decode("utf-8", "replace").rstrip(" =")) + suffix
         text += "..." if child.type == "variadic_parameter_declaration" else ""
         value = reader.read(default) if default is not None else None
         found.append(Parameter(name, text, value))

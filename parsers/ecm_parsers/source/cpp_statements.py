@@ -74,3 +74,11 @@ def line_of(node: Node) -> int:
     """Return the line that a node begins on, from 1."""
     row: int = node.start_point[0]
     return row + 1
+
+
+def otherwise(node: Node) -> Node | None:
+    """Return what an `else` leads to."""
+    clause = node.child_by_field_name("alternative")
+    if clause is None or clause.type != "else_clause":
+        return clause
+    return next((child for child in clause.named_children if child.type != "comment"), None)

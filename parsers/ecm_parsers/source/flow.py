@@ -63,10 +63,14 @@ class Switch(_Step, frozen=True):
 
 
 class Handler(_Step, frozen=True):
-    """What handles an exception, by the types that it is for as they are written; without types it is for all."""
+    """What handles an exception, by the types that it is for as they are written; without types it is for all.
+
+    `name` is the variable of Python that it has the exception in.
+    """
 
     types: tuple[str, ...]
     body: Block
+    name: str = ""
 
 
 class Attempt(_Step, frozen=True):

@@ -17,7 +17,7 @@ from ecm_parsers.source.facts import Constant, Field
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Loop, Switch
 from ecm_parsers.source.python_expr import parts, salvage
 from ecm_parsers.source.python_literal import NULL, TRUE
-from ecm_parsers.source.python_raising import asserted, raised, types_caught, types_suppressed
+from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught, types_suppressed
 from ecm_parsers.source.python_scan import Scan, StatementHandler
 
 _THIS = Name("this")
@@ -261,7 +261,7 @@ def _try(scan: Scan, node: Node) -> None:
             body = scan.inner(child)
             scan.frame.attempts -= 1
         elif child.type.startswith("except"):
-            handlers.append(Handler(types_caught(scan, child), _inner(scan, child, 1)))
+            handlers.append(Handler(types_caught(scan, child), _inner(scan, child, 1), name_caught(scan, child)))
         elif child.type == "else_clause":
             other = _inner(scan, child, 0)
         else:

@@ -41,6 +41,13 @@ def types_caught(scan: Scan, node: Node) -> tuple[str, ...]:
     return tuple([scan.text(part) for part in (parts(asked) if asked.type == "tuple" else (asked,))])
 
 
+def name_caught(scan: Scan, node: Node) -> str:
+    """Return the variable that a handler has the exception in: `except ValueError as error:`."""
+    asked = next((part for part in node.named_children if part.type == "as_pattern"), None)
+    target = asked.child_by_field_name("alias") if asked is not None else None
+    return scan.text(target) if target is not None else ""
+
+
 def types_suppressed(scan: Scan, node: Node) -> tuple[str, ...] | None:
     """Return the types that a context lets pass by: `with suppress(KeyError):`; None where it lets none."""
     items = [item for clause in parts(node) if clause.type == "with_clause" for item in parts(clause)]

@@ -1,0 +1,69 @@
+"""How the object is made that a variable stands for, whoever has it meanwhile: nobody makes it another one by that."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+from typing import TYPE_CHECKING, Final
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name
+
+from ecm_extract.link.code.units import Cls
+from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+_NO_BODY: Final = frozenset({"declaration", "deleted"})
+MAX_HANDED = 12
+"""Functions that hand an object on, each to the next."""
+
+
+class ObjectMakers:
+    """Follows objects through arguments to the one call that makes them."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def of(self, expr: Expr | None, env: Env) -> Instance | None:
+        """Return how the object is made; None where that is not known, or where several calls may have made it."""
+        for _ in range(MAX_HANDED):
+            bound = env.args.get(expr.id) if isinstance(expr, Name) else None
+            if bound is None:
+                break
+            expr, env = bound.expr, bound.env
+        if not isinstance(expr, Name | Member) or env.func.file.language != "cpp" or env.depth > MAX_DEPTH:
+            return None
+        makers = self.folder.origins.makers(expr, env) or ()
+        maker = makers[0] if len(makers) == 1 else None
+        if maker is None or not isinstance(maker.expr, Call):
+            return None
+        begun = self.folder.states.constructor(maker.expr, maker.env)
+        if begun is None or begun.made is None or not _are_told_apart(begun.func.cls):
+            return None
+        return self.folder.objects.delegated(begun.made)
+
+    def of_python(self, expr: Expr, env: Env) -> Env | None:
+        """Return the beginning of the constructor that makes an object of Python, through variables and callers."""
+        for _ in range(MAX_HANDED):
+            helds = self.folder.origins.of(expr, env) if isinstance(expr, Name | Member) else []
+            held = helds[0] if len(helds) == 1 else None
+            if held is None or held.how != "value" or held.expr is None:
+                break
+            expr, env = held.expr, held.env or env
+        return self.folder.states.constructor(expr, env) if isinstance(expr, Call) else None
+
+    def part(self, receiver: Expr | None, cls: Cls, env: Env) -> Instance:
+        """Return the part of a class of an object, with what that was made with; of others what their type tells."""
+        held = self.folder.objects.held(receiver, cls, env)
+        made = self.of(receiver, env)
+        part = self.folder.objects.part(made, cls) if made is not None else None
+        return replace(part, types={**part.types, **held.types}) if part is not None else held
+
+
+def _are_told_apart(cls: Cls | None) -> bool:
+    """Whether the number of its arguments tells which constructor of a class a call means."""
+    methods = cls.methods if cls is not None else ()
+    makers = [each for each in methods if each.is_constructor and not _NO_BODY & set(each.fact.traits)]
+    spans = sorted(each.arity for each in makers)
+    return all(one[1] < other[0] for one, other in pairwise(spans))

@@ -1,0 +1,44 @@
+"""`getNamespace()` of a handle of roscpp is where the names lie that the handle makes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+PROGRAM = """
+#include <ros/ros.h>
+class Server {{
+ public:
+  explicit Server(const ros::NodeHandle & given) : nh_(given) {{
+    pub_ = nh_.advertise<std_msgs::String>({name}, 1);
+  }}
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+}};
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "demo");
+  ros::NodeHandle nh{made};
+  Server server(nh);
+  ros::spin();
+}}
+"""
+JOINED = 'nh_.getNamespace() + "/x"'
+ROWS = [
+    ("public", "", JOINED, "/x"),
+    ("private", '("~")', JOINED, "/demo/x"),
+    ("below a private one", '("~arm")', JOINED, "/demo/arm/x"),
+    ("of a name", '("arm")', JOINED, "/arm/x"),
+    ("absolute", '("/arm")', JOINED, "/arm/x"),
+    ("joined by roscpp", '("~")', 'ros::names::append(nh_.getNamespace(), "x")', "/demo/x"),
+]
+
+
+@pytest.mark.parametrize(("made", "name", "expected"), [row[1:] for row in ROWS], ids=[row[0] for row in ROWS])
+def test_a_name_below_the_namespace_of_a_handle(workspace: Any, made: str, name: str, expected: str) -> None:
+    """The namespace is absolute, so that the handle itself puts nothing before it."""
+    files = {
+        "CMakeLists.txt": "project(pkg)\nadd_executable(demo src/demo.cpp)\n",
+        "src/demo.cpp": PROGRAM.format(made=made, name=name),
+    }
+    assert workspace.package(files, ros=1).only("publisher").name == expected

@@ -1,0 +1,109 @@
+"""A profile that another object keeps is what its class makes of it, or what it is where the object is handed on."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+PYTHON = """
+import rclpy
+from rclpy.node import Node
+from rclpy.qos import QoSProfile, qos_profile_sensor_data
+from std_msgs.msg import String
+class Part:
+    def __init__(self, node):
+        node.create_publisher(String, 'chatter', node.kept)
+class Demo(Node):
+    def __init__(self):
+        super().__init__('demo')
+        self.kept = qos_profile_sensor_data
+        {before}
+        self.part = Part(self)
+        {after}
+def main():
+    rclpy.init()
+    rclpy.spin(Demo())
+"""
+SENSOR, ONE, OPEN = ("best_effort", 5), ("reliable", 1), ("unknown", None)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "expected"),
+    [
+        ("pass", "pass", SENSOR),
+        ("self.kept = QoSProfile(depth=1)", "pass", ONE),
+        ("pass", "self.kept = QoSProfile(depth=1)", SENSOR),
+        ("self.kept = found()", "pass", OPEN),
+    ],
+)
+def test_a_profile_of_a_node_that_is_handed_on(
+    workspace: Any, before: str, after: str, expected: tuple[str, int | None]
+) -> None:
+    """A part of a node makes its endpoints with the profile that the node has when it makes the part."""
+    workspace.package({"pkg/demo.py": PYTHON.format(before=before, after=after)})
+    qos = workspace.only("publisher").qos
+    assert (qos.reliability, qos.depth) == expected
+
+
+KEPT = """
+class Part:
+    def __init__(self, node):
+        self._node = node
+        self.open()
+    def open(self):
+        self._node.create_publisher(String, {name}, self._node.kept)
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [("'chatter'", "/chatter"), ("self._node.topic", "/own"), ("f'{self._node.topic}/x'", "/own/x")],
+)
+def test_what_a_part_reads_of_the_node_that_it_keeps(workspace: Any, name: str, expected: str) -> None:
+    """A part keeps the node and asks it for names and profiles, in whatever method."""
+    head, _, rest = PYTHON.format(before="self.topic = 'own'", after="pass").partition("class Part:")
+    demo = rest[rest.index("class Demo") :]
+    workspace.package({"pkg/demo.py": f"{head}{KEPT.format(name=name)}{demo}"})
+    entry = workspace.only("publisher")
+    assert (entry.name, entry.qos.reliability, entry.qos.depth) == (expected, *SENSOR)
+
+
+@pytest.mark.parametrize(
+    ("after", "further"),
+    [
+        ("self.topic, self.kept = 'other', 4", ""),
+        ("pass", "def change(node):\n    node.topic = found()\n    node.kept = found()\n"),
+    ],
+)
+def test_a_node_that_changes_is_not_what_it_was_when_it_was_kept(workspace: Any, after: str, further: str) -> None:
+    """What is given something again, by itself or by others, is not told where a later method asks for it."""
+    head, _, rest = PYTHON.format(before="self.topic = 'own'", after=after).partition("class Part:")
+    part = KEPT.format(name="self._node.topic").replace("self.open()", "pass")
+    workspace.package({"pkg/demo.py": f"{head}{part}{rest[rest.index('class Demo') :]}{further}"})
+    entry = workspace.only("publisher")
+    assert (entry.name, entry.qos.reliability, entry.qos.depth) == ("/{topic}", *OPEN)
+
+
+CPP = """
+#include <rclcpp/rclcpp.hpp>
+struct Settings {{
+  rclcpp::QoS kept = rclcpp::QoS(1).best_effort();
+}};
+class Demo : public rclcpp::Node {{
+ public:
+  Demo() : Node("demo") {{ {body} }}
+  void open() {{ create_publisher<std_msgs::msg::String>("chatter", settings_.kept); }}
+  Settings settings_;
+}};
+int main(int argc, char ** argv) {{ rclcpp::spin(std::make_shared<Demo>()); }}
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"), [("open();", ("best_effort", 1)), ("settings_.kept = found(); open();", OPEN)]
+)
+def test_a_profile_in_settings(workspace: Any, body: str, expected: tuple[str, int | None]) -> None:
+    """Settings that nobody changes are as they are declared; of others nothing is known."""
+    qos = workspace.package({"src/demo.cpp": CPP.format(body=body)}).only("publisher").qos
+    assert (qos.reliability, qos.depth) == expected

@@ -1,0 +1,41 @@
+"""What stands for the calls of a file's own macros."""
+
+from __future__ import annotations
+
+import pytest
+from ecm_parsers.source.cpp_macro_calls import MAX_CALLS, with_macro_calls
+
+PUB = "#define PUB(var, type, ...) do { log(#type); var = node->create<type>(__VA_ARGS__); } while (0)\n"
+GET = "#define GET(name) node->get(name)\n"
+ROWS = [
+    (PUB, 'PUB(a_, a::T, "a", 10);', 'do { log("a::T"); a_ = node->create<a::T>("a", 10); } while (0);'),
+    (GET, "int x = GET(f(a, b)) + 1;", "int x = node->get(f(a, b)) + 1;"),
+    (GET, "GET(//what\n  a);", "node->get(\n  a);"),
+    (GET + "#define ALL(x) a.run(GET(x))\n", "ALL(1);", "a.run(node->get(1));"),
+    ("#define NONE() node->open()\n", "NONE();", "node->open();"),
+    (GET, "GET(a, b); s = \"GET(a)\"; // GET(a)", "GET(a, b); s = \"GET(a)\"; // GET(a)"),
+    ("#define JOIN(a) node->get_##a()\n", "JOIN(x);", "JOIN(x);"),
+    ("#define SUM(a) ((a) + 1)\n", "SUM(x);", "SUM(x);"),
+    (GET + "#undef GET\n", "GET(a);", "GET(a);"),
+    ("#ifdef A\n" + GET + "#else\n#define GET(name) node->ask(name)\n#endif\n", "GET(a);", "GET(a);"),
+    ("#define AGAIN(a) node->get(AGAIN(a))\n", "NOT_AGAIN(a);", "NOT_AGAIN(a);"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("head", "call", "expected"), ROWS, ids=[row[1][:24] for row in ROWS])
+def test_calls(head: str, call: str, expected: str) -> None:
+    """A macro that calls something is put in as the standard says; what is not sure is left as it is written."""
+    assert with_macro_calls((head + call).encode()).decode() == head + expected
+
+
+def test_lines_stay_where_they_are() -> None:
+    """What follows a call of several lines has the line that it had."""
+    data = f"{PUB}PUB(a_,\n  T,\n  [](int x) {{\n    run(x);\n  }});\nlast();\n".encode()
+    put = with_macro_calls(data).split(b"\n")
+    assert (len(put), put[-2], b"run(x);" in put[4]) == (data.count(b"\n") + 1, b"last();", True)
+
+
+def test_a_file_of_too_many_calls_is_left_alone() -> None:
+    """Macros that call each other cannot make a file grow without end."""
+    data = (GET + "GET(a);\n" * (MAX_CALLS + 1)).encode()
+    assert with_macro_calls(data) == data
