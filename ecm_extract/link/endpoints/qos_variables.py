@@ -144,11 +144,11 @@ class QosVariables:
     def _of_object(self, expr: Member, env: Env, level: int) -> Policies | None:
         """A member of another object: what it is where that is handed on, or what the class of that makes of it."""
         structures = self.folder.structures
-        kept = structures.is_kept(expr.base, env)
+        kept = self.folder.kept.is_kept(expr.base, env)
         handed = structures.handed(expr, env) if not kept else None
         if handed is not None:
             return self.profiles.policies(handed.expr, handed.env.deeper(env.depth + 1), level + 1)
-        cls = structures.kept_in(expr, env) if kept else self.folder.objects.class_of(expr.base, env)
+        cls = self.folder.kept.class_of(expr, env) if kept else self.folder.objects.class_of(expr.base, env)
         if cls is None or self.folder.members.is_given(expr.name, cls):
             return None
         place = Env(env.func, env.at, this=cls, depth=env.depth + 1)

@@ -37,6 +37,7 @@ from ecm_extract.link.folding.fold_returns import ReturnFolder
 from ecm_extract.link.folding.fold_streams import StreamFolder
 from ecm_extract.link.folding.fold_tables import TableFolder
 from ecm_extract.link.folding.fold_texts import TextFolder
+from ecm_extract.link.folding.kept_objects import KeptObjects
 from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.optionals import OptionalFolder
@@ -109,6 +110,7 @@ class Folder:
         self.texts = TextFolder(self)
         self.list_changes = ListChanges(self)
         self.structures = StructureFolder(self)
+        self.kept = KeptObjects(self)
         self.tables = TableFolder(self)
         self.optionals = OptionalFolder(self)
         self.searches = SearchFolder(self)

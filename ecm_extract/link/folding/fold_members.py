@@ -114,9 +114,6 @@ class MemberFolder:
         handed = self.folder.structures.handed_on(expr, env)
         if handed:
             return handed
-        handed = self._of_handed(expr, env)
-        if handed:
-            return handed
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return ()
@@ -129,16 +126,6 @@ class MemberFolder:
         if given is None or not values:
             return _taken_of(given, expr.name) if given is not None else values
         return (given,)
-
-    def _of_handed(self, expr: Member, env: Env) -> tuple[Value, ...]:
-        """`self.part.name`: what the object was made with that this one was handed, if nobody else gives it any."""
-        if env.func.file.language != "python" or not isinstance(expr.base, Member):
-            return ()
-        maker = self.folder.makers.of_python(expr.base, env)
-        if maker is None or maker.this is None or self.folder.scope.assigned_outside(expr.name, "python"):
-            return ()
-        place = Env(env.func, env.at, depth=env.depth + 1, this=maker.this, made=maker.made)
-        return self.member_value(expr.name, maker.this, place)
 
     def _library_parameter(self, expr: Member, env: Env) -> tuple[Value, ...] | None:
         """`params_.a.b` of generate_parameter_library: the default of parameter `a.b`."""

@@ -128,7 +128,7 @@ class StructureFolder:
         listed = self._listed(expr, env)
         if listed is not None:
             return self.given(listed.expr, listed.env.deeper(env.depth + 1)) or unknown(_name(expr))
-        copied = self._copied(expr, env)
+        copied = self.copied(expr, env)
         if copied is not None:
             return self.given(copied.expr, copied.env.deeper(env.depth + 1))
         if self._is_changed(expr, env):
@@ -137,47 +137,15 @@ class StructureFolder:
 
     def handed_on(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return a field of an object that is handed on, or copied: what it was there; empty of others."""
-        if self.is_kept(expr.base, env):
-            return self._of_kept(expr, env)
+        if self.folder.kept.is_kept(expr.base, env):
+            return self.folder.kept.value(expr, env)
         handed = self.handed(expr, env)
         values = self.folder.fold(handed.expr, handed.env.deeper(env.depth + 1)) if handed is not None else ()
         return demoted(values) if any(value.confidence != "pattern" for value in values) else ()
 
-    def is_kept(self, expr: Expr, env: Env) -> bool:
-        """Tell whether Python has an object in a member since another function: it may have become another one."""
-        return env.func.file.language == "python" and isinstance(expr, Member) and not self.folder.flow.ways(expr, env)
-
-    def kept_in(self, expr: Member, env: Env) -> Cls | None:
-        """Return the class of the object that a member is, which another function was handed.
-
-        None where its field is given something at several places: which was last depends on when it is asked for.
-        """
-        handed = self._first_handed(expr.base, env)
-        cls = self.folder.objects.class_of(handed.expr, handed.env) if handed is not None else None
-        if cls is None or self.folder.members.is_given(expr.name, cls):
-            return None
-        given = [self.folder.scope.members(expr.name, each) for each in self.folder.program.ancestry(cls)]
-        return cls if sum(map(len, given)) <= 1 else None
-
-    def _first_handed(self, expr: Expr, env: Env) -> Bound | None:
-        """The object that is handed from one function to the next, as the first one has it."""
-        found: Bound | None = None
-        for _ in range(MAX_DEPTH):
-            further = self._copied(expr, env)
-            if further is None:
-                break
-            found, expr, env = further, further.expr, further.env
-        return found
-
-    def _of_kept(self, expr: Member, env: Env) -> tuple[Value, ...]:
-        """What all methods of its class leave a field with."""
-        cls = self.kept_in(expr, env)
-        place = Env(env.func, env.at, this=cls, depth=env.depth + 1)
-        return self.folder.members.member_value(expr.name, cls, place) if cls is not None else ()
-
     def handed(self, expr: Member, env: Env) -> Bound | None:
         """Return the field of the object that is handed on, or copied, and that nobody may have changed since."""
-        copied = self._copied(expr.base, env)
+        copied = self.copied(expr.base, env)
         if copied is None or self._is_touched(copied.expr, copied.env) or self._is_reached_into(expr, env):
             return None
         return Bound(Member(copied.expr, expr.name), copied.env)
@@ -194,12 +162,12 @@ class StructureFolder:
         path = self.folder.flow.effects(env.func).key(expr)
         return path.startswith(".") and path.count(".") > 1 and self.folder.given_fields.is_reached_into(path)
 
-    def _copied(self, expr: Expr, env: Env) -> Bound | None:
+    def copied(self, expr: Expr, env: Env) -> Bound | None:
         """Return the other object of which one is a copy, or a part of one, or for which it stands as a parameter."""
         made = self._made(expr, env) if env.depth < MAX_DEPTH else None
         if made is not None:
             return made if isinstance(made.expr, Name | Member) else None
-        whole = self._copied(expr.base, env) if isinstance(expr, Member) else None
+        whole = self.copied(expr.base, env) if isinstance(expr, Member) else None
         return (
             Bound(Member(whole.expr, expr.name), whole.env) if whole is not None and isinstance(expr, Member) else None
         )
