@@ -13,6 +13,7 @@ from ecm_extract.link.code.containers import makes_tuple
 from ecm_extract.link.code.overloads import NO, score
 from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.folding.asked_once import AskedOnce
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, makers_of, named_parts
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, bind
 from ecm_extract.link.running.values import Value, alternatives, demoted, parameter, unknown
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 MAX_STATEMENTS: Final = 1_000_000
 """Behind the last statement of a function."""
+MAX_PATH: Final = 4
+"""Members of members that are followed: `node = node->next` in a loop asks for ever longer ones."""
 _PAIR: Final = ("first", "second")
 _GET: Final = "std::get"
 _DECLARED: Final = frozenset({"made", "given", "shared"})
@@ -35,6 +38,7 @@ class StructureFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self._asked = AskedOnce(folder)
 
     def field(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return the values of a field; empty when it is not known what the object is made from."""
@@ -145,7 +149,7 @@ class StructureFolder:
 
     def handed(self, expr: Member, env: Env) -> Bound | None:
         """Return the field of the object that is handed on, or copied, and that nobody may have changed since."""
-        copied = self.copied(expr.base, env)
+        copied = self.copied(expr.base, env) if not _is_long(expr) else None
         if copied is None or self._is_touched(copied.expr, copied.env) or self._is_reached_into(expr, env):
             return None
         return Bound(Member(copied.expr, expr.name), copied.env)
@@ -237,6 +241,9 @@ class StructureFolder:
 
     def _origin(self, expr: Expr, env: Env) -> Bound | None:
         """Return the expression that makes an object, through the variables that it is handed on by."""
+        return self._asked.answer(("origin", expr, env), lambda: self._followed(expr, env))
+
+    def _followed(self, expr: Expr, env: Env) -> Bound | None:
         bound = self._made(expr, env) if env.depth < MAX_DEPTH else None
         if bound is not None and isinstance(bound.expr, Name | Member):
             return self._origin(bound.expr, bound.env.deeper(env.depth + 1))
@@ -280,6 +287,11 @@ class StructureFolder:
 
     def _of_whole(self, expr: Member, env: Env) -> Bound | None:
         """What a member is made from, of an object that is copied, is made in braces, or by a constructor."""
+        if _is_long(expr):
+            return None
+        return self._asked.answer(("whole", expr, env), lambda: self._of_made(expr, env))
+
+    def _of_made(self, expr: Member, env: Env) -> Bound | None:
         whole = self._made(expr.base, env) if env.depth < MAX_DEPTH else None
         if whole is not None and isinstance(whole.expr, Name | Member):
             return Bound(Member(whole.expr, expr.name), whole.env)
@@ -323,3 +335,11 @@ class StructureFolder:
 
 def _name(expr: Name | Member) -> str:
     return expr.id if isinstance(expr, Name) else expr.name
+
+
+def _is_long(expr: Expr) -> bool:
+    """Tell whether a member lies deeper in an object than is followed."""
+    depth = 0
+    while isinstance(expr, Member):
+        depth, expr = depth + 1, expr.base
+    return depth > MAX_PATH
