@@ -25,6 +25,8 @@ int main(int argc, char ** argv) {{
 HOLDER = "struct Holder {{ Nav nav_; explicit Holder(ros::NodeHandle & n) : nav_({args}) {{}} }};"
 BASE = 'struct Own : Nav { explicit Own(ros::NodeHandle & n) : Nav(n, "own") {} };'
 ONE, BOTH = ["/fixed"], ["/fixed", "/given"]
+OPEN = ["/fixed", "/{n}/{topic}"]
+"""What the other constructor makes is told where somebody may call it whom nobody sees."""
 ROWS = [
     ("a variable", "", "Nav nav(n);", ONE),
     ("a pointer", "", "Nav * nav; nav = new Nav(n);", ONE),
@@ -33,8 +35,14 @@ ROWS = [
     ("the other one", "", 'Nav nav(n, "given");', ["/given"]),
     ("both", "", 'Nav nav(n); Nav other(n, "given");', BOTH),
     ("in a list", "", 'std::vector<Nav> all; all.emplace_back(n, "given"); Nav nav(n);', BOTH),
-    ("by a template", "", "Nav nav(n); make<Nav>(n);", ["/fixed", "/{n}/{topic}"]),
+    ("by a template", "", "Nav nav(n); make<Nav>(n);", OPEN),
     ("by another name", "using Other = Nav;", 'Nav nav(n); Other other(n, "given");', BOTH),
+    ("in braces that are assigned", "", 'Nav nav(n); nav = {n, "given"};', OPEN),
+    ("in braces that are handed", "void use(const Nav & nav) {}", 'Nav nav(n); use({n, "given"});', OPEN),
+    ("in braces that are returned", 'Nav made(ros::NodeHandle & n) { return {n, "given"}; }', "Nav nav(n);", OPEN),
+    ("in an array", "", 'Nav nav(n); Nav all[1] = {{n, "given"}};', OPEN),
+    ("in place", "", 'Nav nav(n); std::optional<Nav> other; other.emplace(n, "given");', OPEN),
+    ("a member by its default", 'struct Holder { ros::NodeHandle n; Nav nav_{n, "given"}; };', "Nav nav(n);", OPEN),
     ("a class that derives from it", BASE, "Nav nav(n); Own own(n);", ["/fixed", "/own"]),
 ]
 
