@@ -149,6 +149,25 @@ def test_a_client_of_the_lifecycle_of_a_node_has_two_services(workspace: Any) ->
     }
 
 
+def test_a_tree_that_has_the_class_of_a_row_tells_itself_what_it_makes(workspace: Any) -> None:
+    """The constructor that is there says more than the row, as the QoS that its release asks for."""
+    helper = """
+namespace nav2_util {
+template<typename ServiceT> class ServiceClient {
+ public:
+  ServiceClient(const std::string & name, const rclcpp::Node::SharedPtr & node) {
+    client_ = node->create_client<ServiceT>(name, rclcpp::SystemDefaultsQoS());
+  }
+};
+}
+"""
+    source = helper + CPP2.format(body='nav2_util::ServiceClient<std_srvs::srv::SetBool> c("set", shared_from_this());')
+    entry = workspace.package({"src/demo.cpp": source}, 2).only("service_client")
+    assert (entry.name, entry.type) == ("/set", "std_srvs/srv/SetBool")
+    assert entry.qos is not None
+    assert entry.qos.profile == "system_default"
+
+
 def test_a_map_declares_a_parameter_for_each_entry(workspace: Any) -> None:
     """`declare_parameters(namespace, map)` declares each key below the namespace, with its value."""
     body = 'std::map<std::string, int64_t> axes{{"x", 5L}, {"yaw", -1L}}; declare_parameters("axis", axes);'
