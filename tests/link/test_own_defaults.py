@@ -39,3 +39,40 @@ def test_a_member_that_only_its_own_parameter_is_read_into_holds_what_it_begins_
     """What a declaration gives the member that is its default adds nothing to it; what else is given may come before."""
     found = workspace.package({"src/p.cpp": PLUGIN.format(member=member, more=more)}).only("parameter")
     assert (found.type, found.default) == ("double", default)
+
+
+FIELDS = """
+#include <rclcpp/rclcpp.hpp>
+class P : public base::Plugin {{
+public:
+  bool initialize(const std::string & name, const rclcpp::Node::SharedPtr & node) override {{
+    name_ = name;
+    config_.reach = node->declare_parameter(name_ + ".reach", config_.reach);
+    return true;
+  }}
+  void changed(std::vector<rclcpp::Parameter> parameters) {{
+    for (auto parameter : parameters) {{
+      if (parameter.get_name() == name_ + ".reach") {{ config_.reach = parameter.as_double(); }}
+    }}
+  }}
+  {more}
+private:
+  std::string name_;
+  struct {{ double reach = 0.3; }} config_;
+}};
+PLUGINLIB_EXPORT_CLASS(P, base::Plugin)
+"""
+GIVEN = [
+    ("by nobody else", "", 0.3),
+    ("by another method", "void set(double reach) { config_.reach = reach; }", None),
+    ("something unknown", "void set() { config_.reach = measured(); }", None),
+]
+
+
+@pytest.mark.parametrize(("more", "default"), [row[1:] for row in GIVEN], ids=[row[0] for row in GIVEN])
+def test_a_field_that_is_its_own_default_holds_what_it_begins_with(
+    workspace: Any, more: str, default: float | None
+) -> None:
+    """What a callback takes out of a parameter is what somebody set, who sets the default no more."""
+    found = workspace.package({"src/p.cpp": FIELDS.format(more=more)}).only("parameter")
+    assert (found.type, found.default) == ("double", default)

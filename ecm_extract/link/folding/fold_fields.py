@@ -74,9 +74,9 @@ class FieldFolder:
             for func, at, name, default in self.folder.reads.members(entry, f".{expr.name}"):
                 if func is not env.func:
                     yield from self._read(func, at, name, default, env)
-            for func, at in self.folder.scope.class_fields(entry).get(expr.name, ()):
-                if func is not env.func:
-                    yield from self._set(expr, func, at, env)
+            for place in self.folder.scope.class_fields(entry).get(expr.name, ()):
+                if place.func is not env.func and not self.folder.given_fields.is_set_later(place):
+                    yield from self._set(expr, place.func, place.at, env)
 
     def _read(self, func: Func, at: int, name: Expr, default: Expr | None, env: Env) -> Iterable[Value]:
         return self.folder.calls.parameter_value(name, default, self._inside(func, at, env))
