@@ -76,3 +76,33 @@ def test_a_field_that_is_its_own_default_holds_what_it_begins_with(
     """What a callback takes out of a parameter is what somebody set, who sets the default no more."""
     found = workspace.package({"src/p.cpp": FIELDS.format(more=more)}).only("parameter")
     assert (found.type, found.default) == ("double", default)
+
+
+LATER = """
+#include <rclcpp/rclcpp.hpp>
+struct Config {{ std::string topic = "begun"; }};
+class D : public rclcpp::Node {{
+public:
+  D() : Node("demo") {{}}
+  void init() {{ config_.topic = {first}; }}
+  void changed(std::vector<rclcpp::Parameter> parameters) {{
+    for (auto parameter : parameters) {{ config_.topic = parameter.as_string(); }}
+  }}
+  void start() {{ pub_ = create_publisher<std_msgs::msg::String>(config_.topic, 1); }}
+  Config config_;
+}};
+int main(int argc, char ** argv) {{ rclcpp::spin(std::make_shared<D>()); }}
+"""
+FIRST = [
+    ("a parameter", 'declare_parameter("topic", std::string("asked"))', ("/asked", "default")),
+    ("a text", '"fixed"', ("/fixed", "one_of")),
+]
+
+
+@pytest.mark.parametrize(("first", "expected"), [row[1:] for row in FIRST], ids=[row[0] for row in FIRST])
+def test_what_a_callback_sets_later_is_a_setting_of_a_parameter_and_replaces_a_text(
+    workspace: Any, first: str, expected: tuple[str, str]
+) -> None:
+    """A text that a callback may replace is not proved."""
+    found = workspace.package({"src/d.cpp": LATER.format(first=first)}).interfaces()
+    assert expected in {(each.name, each.confidence) for each in found if each.role == "publisher"}

@@ -13,7 +13,7 @@ from ecm_extract.link.code.spelling import last_name, plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.scope import Definition
-from ecm_extract.link.running.values import Value, lowered
+from ecm_extract.link.running.values import Value, lowered, set_by
 from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
@@ -76,11 +76,12 @@ class GivenFields:
     def _kept(self, name: str, cls: Cls, own: Sequence[Definition], env: Env) -> tuple[Value, ...]:
         """What a field is declared with, where it is itself the default of the parameter that it is assigned."""
         default = cls.fields[name].default
-        others = [entry for entry in own if not self._is_own_default(entry)]
-        if default is None or len(others) == len(own) or self._is_replaced(cls):
+        asked = {entry: self._asked(entry) for entry in own}
+        others = [entry for entry, parameter in asked.items() if parameter is None]
+        names = {parameter for parameter in asked.values() if parameter is not None}
+        if default is None or len(names) != 1 or not all(map(self.is_set_later, others)) or self._is_replaced(cls):
             return ()
-        set_later = all(map(self.is_set_later, others))
-        return lowered(self.folder.fold(default, Env(env.func, this=cls)), "default") if set_later else ()
+        return set_by(names.pop(), lowered(self.folder.fold(default, Env(env.func, this=cls)), "default"))
 
     def is_set_later(self, entry: Definition) -> bool:
         """Tell whether an assignment of C++ takes what somebody sets out of the parameter that he hands over."""
@@ -89,13 +90,13 @@ class GivenFields:
     def _value(self, entry: Definition) -> tuple[Value, ...]:
         return self.folder.fold(entry.statement.value, Env(entry.func, entry.at))
 
-    def _is_own_default(self, entry: Definition) -> bool:
-        """Whether a field is given a parameter whose default it is: `s.x = node.declare_parameter("x", s.x)`."""
-        value = entry.statement.value
-        if not isinstance(value, Call):
-            return False
-        read = self.folder.reads.read(invocation_of(value, Env(entry.func, entry.at)))
-        return read is not None and read[1] is not None and read[1] == entry.statement.target
+    def _asked(self, entry: Definition) -> str | None:
+        """The parameter that a field is given, whose default it is: `s.x = node.declare_parameter("x", s.x)`."""
+        value, place = entry.statement.value, Env(entry.func, entry.at)
+        read = self.folder.reads.read(invocation_of(value, place)) if isinstance(value, Call) else None
+        if read is None or read[1] is None or read[1] != entry.statement.target:
+            return None
+        return self.folder.fold(read[0], place)[0].text
 
     def _is_replaced(self, cls: Cls) -> bool:
         """Whether somebody assigns a whole object of a class, or what may be one."""
