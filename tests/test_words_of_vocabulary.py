@@ -32,7 +32,7 @@ OTHER_KINDS: Final = {
     "ecm_extract/link/naming/names.py": "holes of values",
     "ecm_extract/link/owning/ownership.py": "kinds of modules",
     "ecm_extract/link/owning/registry.py": "targets of CMake",
-    "ecm_extract/link/running/values.py": "holes of values",
+    "ecm_extract/link/running/own_names.py": "holes of values",
     "ecm_extract/lint/rules/lnt041.py": "targets of CMake",
     "ecm_extract/lint/rules/lnt043.py": "targets of CMake",
     "ecm_extract/read/installed.py": "targets of CMake",

@@ -59,6 +59,7 @@ from ecm_extract.link.owning.ownership import Ownership
 from ecm_extract.link.owning.references import References, Unit
 from ecm_extract.link.owning.registry import build_registry, plugins_of
 from ecm_extract.link.running.env import Bound
+from ecm_extract.link.running.own_names import known_beside
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.link.running.values import Value, is_proved, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
@@ -253,7 +254,7 @@ class Linker:
         evidence = tuple(Evidence(path, line) for path, line in site.lines())
         when = self.conditions.of(site)
         names = self._named(site)
-        is_choice = any(named.confidence == "one_of" for named, _ in names)
+        is_choice = any("one_of" in (named.confidence, named.beside) for named, _ in names)
         for named, default in names:
             value = of_node(named, node, ros)
             own = settled(named)
@@ -263,7 +264,7 @@ class Linker:
                 continue
             kind, data = self._typed(site, default)
             if is_below_node(value):
-                confidence = "folded"
+                confidence = known_beside(value)
             if not site.certain or (is_choice and named.confidence == "pattern"):
                 confidence = weaker(confidence, "one_of")  # the name of the node settles a text, no choice
             if is_below_handle(value) and not is_proved(handle.prefix):

@@ -34,6 +34,9 @@ NAMES = [
     ((Hole("topic"),), "{camera_info}"),
     ((Hole("side"), "_raw"), "{camera_info}"),
     (("~", Hole("topic")), "~{camera_info}"),
+    (("~/", "", "image_raw"), "~/camera_info"),
+    (("/", Hole("name"), "/", "image_raw"), "/{name}/camera_info"),
+    (("left_", Hole("side"), "image", "_raw"), "{camera_info}"),
 ]
 
 

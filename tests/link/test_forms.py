@@ -102,6 +102,9 @@ ROWS = [
     ("cpp1", 'BOOST_FOREACH(const Item & item, items) { item.pub = nh.advertise<std_msgs::String>("chatter", 5); }', "publisher", "/chatter", "std_msgs/msg/String"),
     ("cpp1", 'double rate; pnh.param("rate", rate, 10.0);', "parameter", "/demo/rate", "double"),
     ("cpp1", 'std::string frame; nh.getParam("frame", frame);', "parameter", "/frame", "string"),
+    ("cpp2", 'auto c = std::make_shared<nav2_util::ServiceClient<std_srvs::srv::SetBool>>("set", shared_from_this());', "service_client", "/set", "std_srvs/srv/SetBool"),
+    ("cpp2", 'nav2_util::ServiceClient<std_srvs::srv::SetBool> c("set", shared_from_this());', "service_client", "/set", "std_srvs/srv/SetBool"),
+    ("cpp2", 'auto a = std::make_unique<nav2_util::SimpleActionServer<nav2_msgs::action::Wait>>(shared_from_this(), "wait", on);', "action_server", "/wait", "nav2_msgs/action/Wait"),
     ("py2", "self.pub = self.create_publisher(String, 'chatter', 10)", "publisher", "/chatter", "std_msgs/msg/String"),
     ("py2", "self.pub = self.create_lifecycle_publisher(String, 'chatter', 10)", "publisher", "/chatter", "std_msgs/msg/String"),
     ("py2", "self.sub = self.create_subscription(String, 'chatter', self.on, qos_profile=10)", "subscriber", "/chatter", "std_msgs/msg/String"),
@@ -134,6 +137,35 @@ def test_a_form_is_found_with_name_type_and_line(
     line = next(number for number, content in enumerate(source.splitlines(), 1) if body[:30] in content)
     assert (entry.name, entry.type, entry.confidence) == (name, kind, "literal")
     assert (entry.evidence[0].path, entry.evidence[0].line) == (f"pkg/{path}", line)
+
+
+def test_a_client_of_the_lifecycle_of_a_node_has_two_services(workspace: Any) -> None:
+    """nav2_util/src/lifecycle_service_client.cpp: one changes the state of the node, the other asks for it."""
+    source = CPP2.format(body='auto l = nav2_util::LifecycleServiceClient("map", shared_from_this());')
+    found = workspace.package({"src/demo.cpp": source}, 2).interfaces()
+    assert {(each.name, each.type) for each in found if each.role == "service_client"} == {
+        ("/map/change_state", "lifecycle_msgs/srv/ChangeState"),
+        ("/map/get_state", "lifecycle_msgs/srv/GetState"),
+    }
+
+
+def test_a_tree_that_has_the_class_of_a_row_tells_itself_what_it_makes(workspace: Any) -> None:
+    """The constructor that is there says more than the row, as the QoS that its release asks for."""
+    helper = """
+namespace nav2_util {
+template<typename ServiceT> class ServiceClient {
+ public:
+  ServiceClient(const std::string & name, const rclcpp::Node::SharedPtr & node) {
+    client_ = node->create_client<ServiceT>(name, rclcpp::SystemDefaultsQoS());
+  }
+};
+}
+"""
+    source = helper + CPP2.format(body='nav2_util::ServiceClient<std_srvs::srv::SetBool> c("set", shared_from_this());')
+    entry = workspace.package({"src/demo.cpp": source}, 2).only("service_client")
+    assert (entry.name, entry.type) == ("/set", "std_srvs/srv/SetBool")
+    assert entry.qos is not None
+    assert entry.qos.profile == "system_default"
 
 
 def test_a_map_declares_a_parameter_for_each_entry(workspace: Any) -> None:

@@ -111,3 +111,48 @@ def test_a_node_below_a_node_of_its_own_name(workspace: Any) -> None:
         "auto a = create_publisher", "auto a = sub->create_publisher"
     )
     assert workspace.package({"src/d.cpp": text}).only("publisher").name == "/demo/x"
+
+
+BESIDE = [
+    (
+        'auto t = declare_parameter<std::string>("t", "x");',
+        'std::string(get_name()) + "/" + t',
+        [("/demo/x", "default")],
+    ),
+    (
+        'std::string t = "x"; if (f()) t = "y";',
+        'std::string(get_name()) + "/" + t',
+        [("/demo/x", "one_of"), ("/demo/y", "one_of")],
+    ),
+    (
+        'auto t = declare_parameter<std::string>("t", "x");',
+        'std::string(get_namespace()) + "/" + t',
+        [("/x", "default")],
+    ),
+    ("", 'std::string(get_name()) + "/x"', [("/demo/x", "folded")]),
+]
+
+
+@pytest.mark.parametrize(("setup", "name", "expected"), BESIDE)
+def test_a_name_is_as_sure_as_what_stands_beside_that_of_the_node(
+    workspace: Any, setup: str, name: str, expected: list[tuple[str, str]]
+) -> None:
+    """The node's own name is known where it runs; what a parameter or a branch adds is not proved by that."""
+    found = workspace.package({"src/d.cpp": NODE.format(setup=setup, name=name, member="")}).interfaces()
+    assert sorted((each.name, each.confidence) for each in found if each.role == "publisher") == expected
+
+
+SUB_NODES = [
+    ("", "get_effective_namespace()", "/state"),
+    ('auto s = create_sub_node("left");', "s->get_effective_namespace()", "/left/state"),
+    ("auto s = create_sub_node(side());", "s->get_effective_namespace()", "/{side}/state"),
+]
+
+
+@pytest.mark.parametrize(("setup", "asked", "expected"), SUB_NODES)
+def test_the_effective_namespace_has_that_of_the_sub_node(
+    workspace: Any, setup: str, asked: str, expected: str
+) -> None:
+    """rclcpp/node.hpp: the namespace of the node, and below it that of the sub node; a name behind it is absolute."""
+    text = NODE.format(setup=setup, name=f'std::string({asked}) + "/state"', member="")
+    assert workspace.package({"src/d.cpp": text}).only("publisher").name == expected

@@ -10,12 +10,11 @@ from ecm_checker.hub.local_name import LocalName, OpenPart, Parts
 from ecm_extract.link.naming.filling import filled
 from ecm_extract.link.naming.handles import OWN, Handle
 from ecm_extract.link.naming.local_names import local_name, local_parameter, parts_of
+from ecm_extract.link.running.own_names import node_name, node_namespace
 from ecm_extract.link.running.values import (
     Value,
     joined,
     literal,
-    node_name,
-    node_namespace,
     parameter,
     set_by,
     settled,

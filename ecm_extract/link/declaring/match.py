@@ -58,7 +58,7 @@ class Matcher:
             return False
         if form.match == "function":
             return _qualified(call.path, form.callee) or self._is_brought(form, call, env)
-        return self._constructs(form, call, env)
+        return self._constructs(form, call, env) and not self._is_of_tree(form, call, env)
 
     def _named(self, form: Form, call: Invocation) -> bool:
         if form.items:
@@ -131,6 +131,15 @@ class Matcher:
         namespace = form.callee.rsplit("::", 1)[0]
         usings = (using.namespace for using in call.func.file.facts.usings if using.holds_in(call.func.scope))
         return any(using == namespace or using.endswith("::" + namespace) for using in usings)
+
+    def _is_of_tree(self, form: Form, call: Invocation, env: Env) -> bool:
+        """Whether the tree has the class of a row, so that its own constructor tells what it makes."""
+        if call.func.file.language == "python" or "::" not in form.callee:
+            return False
+        cls = self.folder.program.class_named(call.path, call.func.file, env.scope)
+        if cls is None or is_client_library(cls.file.package):
+            return False
+        return any(method.is_constructor for method in cls.methods)
 
 
 def _is_library(callee: Func, call: Invocation) -> bool:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Constant
 
+from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 
 if TYPE_CHECKING:
@@ -14,6 +17,8 @@ if TYPE_CHECKING:
 
 _OPTIONS: Final = frozenset({"allow_undeclared_parameters", "automatically_declare_parameters_from_overrides"})
 """Options of `rclcpp::NodeOptions` and of the nodes of rclpy."""
+MAX_DEPTH: Final = 2
+"""Objects within objects that are looked at: a helper is a member of its node, or of what that has."""
 _TRUE: Final = Constant("true")
 
 
@@ -37,13 +42,30 @@ class Undeclared:
 
     def _saying(self, func: Func) -> Iterator[Func]:
         """Yield the functions in which options of the node can stand."""
-        own = self.folder.nesting.object_of(func)
-        for cls in self.folder.program.ancestry(own) if own is not None else ():
-            yield from cls.methods
         yield from self.folder.program.functions_in(func.file)
-        if own is not None and self.makers is not None:
-            for cls in (own, *self.folder.program.derived(own)):
-                yield from self.makers(cls)
+        own = self.folder.nesting.object_of(func)
+        for cls in self._around(own) if own is not None else ():
+            yield from (method for entry in self.folder.program.ancestry(cls) for method in entry.methods)
+            for each in (cls, *self.folder.program.derived(cls)):
+                yield from self.makers(each) if self.makers is not None else ()
+
+    def _around(self, cls: Cls) -> Sequence[Cls]:
+        """A class, and those that have an object of it as a member, which are handed its node or are it."""
+        found = {cls: None}
+        for _ in range(MAX_DEPTH):
+            found |= dict.fromkeys(holder for each in list(found) for holder in self._holders.get(each, ()))
+        return list(found)
+
+    @cached_property
+    def _holders(self) -> Mapping[Cls, Sequence[Cls]]:
+        """The classes of C++ that have a member of a class."""
+        program, found = self.folder.program, defaultdict[Cls, list[Cls]](list)
+        for holder in (cls for group in program.classes.values() for cls in group if cls.file.language == "cpp"):
+            for field in holder.fact.fields:
+                held = program.class_named(plain(pointee(field.type)), holder.file, holder.fact.scope)
+                if held is not None and held is not holder:
+                    found[held].append(holder)
+        return found
 
 
 def _says_so(func: Func) -> bool:

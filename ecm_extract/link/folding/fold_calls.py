@@ -23,6 +23,7 @@ from ecm_extract.link.folding import formats
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.running.env import Env, invocation_of
+from ecm_extract.link.running.own_names import node_namespace
 from ecm_extract.link.running.values import (
     Hole,
     Value,
@@ -33,7 +34,6 @@ from ecm_extract.link.running.values import (
     joined,
     literal,
     lowered,
-    node_namespace,
     set_by,
     setting,
     unknown,

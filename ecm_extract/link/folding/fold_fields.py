@@ -33,6 +33,8 @@ class FieldFolder:
 
     def _value(self, expr: Member, env: Env) -> tuple[Value, ...]:
         found = [*self._of_functions(expr, env), *self._of_class(expr, env)]
+        if any(value.confidence != "default" for value in found):
+            found += self._set_later(expr, env)
         filled = [value for value in found if value.text]
         if filled:
             filled += self._left_alone(expr, env)
@@ -74,9 +76,17 @@ class FieldFolder:
             for func, at, name, default in self.folder.reads.members(entry, f".{expr.name}"):
                 if func is not env.func:
                     yield from self._read(func, at, name, default, env)
-            for func, at in self.folder.scope.class_fields(entry).get(expr.name, ()):
-                if func is not env.func:
-                    yield from self._set(expr, func, at, env)
+            for place in self.folder.scope.class_fields(entry).get(expr.name, ()):
+                if place.func is not env.func and not self.folder.given_fields.is_set_later(place):
+                    yield from self._set(expr, place.func, place.at, env)
+
+    def _set_later(self, expr: Member, env: Env) -> Iterator[Value]:
+        """What callbacks take out of parameters that somebody sets: it replaces what is not the default of one, too."""
+        cls = env.this or env.func.cls
+        for entry in self.folder.program.ancestry(cls) if cls is not None else ():
+            for place in self.folder.scope.class_fields(entry).get(expr.name, ()):
+                if place.func is not env.func and self.folder.given_fields.is_set_later(place):
+                    yield from self._set(expr, place.func, place.at, env)
 
     def _read(self, func: Func, at: int, name: Expr, default: Expr | None, env: Env) -> Iterable[Value]:
         return self.folder.calls.parameter_value(name, default, self._inside(func, at, env))

@@ -18,6 +18,7 @@ from ecm_extract.link.folding.declared_numbers import as_declared
 from ecm_extract.link.folding.fields_left import field_left
 from ecm_extract.link.folding.fold_changes import STREAMS, ChangeFolder
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, bind, invocation_of
+from ecm_extract.link.running.own_names import node_name
 from ecm_extract.link.running.values import (
     Value,
     alternatives,
@@ -26,7 +27,6 @@ from ecm_extract.link.running.values import (
     is_setting,
     literal,
     lowered,
-    node_name,
     unknown,
 )
 

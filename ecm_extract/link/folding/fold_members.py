@@ -194,6 +194,7 @@ class MemberFolder:
         if not any(func.is_constructor for func in making):
             values += [each for each in self.initial(name, cls, env) if not making or isinstance(each.data, bool)]
         others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
+        others = others or list(self.initial(name, cls, env))
         filled = [value for value in others or values if value.text]
         return alternatives(filled or others or values) if values else ()
 

@@ -18,10 +18,10 @@ from ecm_extract.link.folding.names_of_nodes import told_by_node
 from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.running.env import Bound, Env, Instance, bind
 from ecm_extract.link.running.object_states import is_own
+from ecm_extract.link.running.own_names import below_namespace
 from ecm_extract.link.running.values import (
     Value,
     alternatives,
-    below_namespace,
     demoted,
     unknown,
     without_defaults,

@@ -9,7 +9,8 @@ from ecm_parsers.source.expr import Call, Expr, Text
 from ecm_extract.infer.compute import method
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.running.env import Env
-from ecm_extract.link.running.values import PARENT_NAMESPACE, Value, joined, node_namespace, unknown
+from ecm_extract.link.running.own_names import node_namespace
+from ecm_extract.link.running.values import PARENT_NAMESPACE, Value, joined, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder

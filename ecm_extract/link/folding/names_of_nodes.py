@@ -15,7 +15,8 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.link.index.module_kinds import class_kind, is_node_base
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.object_states import is_own
-from ecm_extract.link.running.values import Value, joined, literal, node_name, node_namespace
+from ecm_extract.link.running.own_names import node_name, node_namespace
+from ecm_extract.link.running.values import Value, joined, literal
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 _NAMES: Final = frozenset({"ros::this_node::getName", "rospy.get_name"})
 _NAMESPACES: Final = frozenset({"ros::this_node::getNamespace", "rospy.get_namespace"})
 _OWN_NAMES: Final = frozenset({"get_name", "get_fully_qualified_name"})
+_WITH_SUB_NODES: Final = "get_effective_namespace"
 _OF_NODELETS: Final = "getName"
 _NAMESPACE_OF_HANDLE: Final = "getNamespace"
 
@@ -33,11 +35,21 @@ def told_by_node(call: Invocation, env: Env, folder: Folder) -> Value | None:
         return node_name()
     if call.path in _NAMESPACES or (call.last == "get_namespace" and _may_be_node(call.receiver, env, folder)):
         return node_namespace()
+    if call.last == _WITH_SUB_NODES and _may_be_node(call.receiver, env, folder):
+        return _effective_namespace(call.receiver, env, folder)
     if call.last == _NAMESPACE_OF_HANDLE and call.receiver is not None:
         return _namespace_of(call.receiver, env, folder)
     own = env.this or env.func.cls
     is_nodelet = own is not None and is_own(call.receiver) and class_kind(own, folder.program) == "nodelet"
     return node_name() if call.last == _OF_NODELETS and is_nodelet else None
+
+
+def _effective_namespace(node: Expr | None, env: Env, folder: Folder) -> Value | None:
+    """The namespace of a node and below it that of the sub node which it is asked of."""
+    below = literal("") if node is None or is_own(node) else folder.prefixes(node, env)
+    if below is None or not any(below.parts):
+        return below and node_namespace()
+    return joined([(node_namespace(),), (literal("/"),), (below,)])[0]
 
 
 def _namespace_of(handle: Expr, env: Env, folder: Folder) -> Value | None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from ecm_extract.link.running.values import Value, joined, literal, unknown
+from itertools import takewhile
+
+from ecm_extract.link.running.values import Hole, Value, joined, literal, unknown
 
 _NAME, _PARENT = "{name}", "{parent}"
 PRIVATE = "~/{name}"
@@ -28,14 +30,20 @@ def placed(value: Value, place: str) -> Value:
 
 def _beside(value: Value, leaf: str) -> Value:
     """The name with another last part; not known where a part that is not known may hold a slash."""
-    last = value.parts[-1] if value.parts else ""
-    folder, slash, _ = last.rpartition("/") if isinstance(last, str) else ("", "", "")
+    before, last = _last_text(value.parts)
+    folder, slash, _ = last.rpartition("/")
     if slash:
-        return Value((*value.parts[:-1], f"{folder}/{leaf}"), value.confidence)
+        return Value((*before, f"{folder}/{leaf}"), value.confidence)
     head = _head(value)
-    if len(value.parts) <= 1 and isinstance(last, str):
+    if not before:
         return Value((head + leaf,), value.confidence)
     return Value((head, *unknown(leaf).parts), "pattern") if head else unknown(leaf)
+
+
+def _last_text(parts: tuple[str | Hole, ...]) -> tuple[tuple[str | Hole, ...], str]:
+    """The parts up to the last one that is not known, and the text after it, of however many parts it is."""
+    after = tuple(takewhile(lambda part: isinstance(part, str), reversed(parts)))
+    return parts[: len(parts) - len(after)], "".join([str(part) for part in reversed(after)])
 
 
 def _head(value: Value) -> str:

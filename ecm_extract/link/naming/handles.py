@@ -16,7 +16,8 @@ from ecm_extract.link.naming.carriers import carriers
 from ecm_extract.link.naming.given_handles import given_namespace
 from ecm_extract.link.naming.host_arguments import HostArguments
 from ecm_extract.link.running.env import Bound, Env, bind, invocation_of
-from ecm_extract.link.running.values import Value, is_known, joined, literal, node_namespace, unknown
+from ecm_extract.link.running.own_names import node_namespace
+from ecm_extract.link.running.values import Value, is_known, joined, literal, unknown
 
 MAX_DEPTH = 12
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})

@@ -26,8 +26,7 @@ def local_name(value: Value, handle: Handle, node: str | None) -> LocalName:
     space = space_of(handle, node)
     if is_beside_node(value):
         return LocalName(parts_of(value))
-    own = below_own_name(value)
-    name = parts_of(value) if own is None else (f"~/{own}",)
+    name = parts_of(value) if below_own_name(value) is None else _private(parts_of(value))
     prefix = parts_of(handle.prefix)
     if prefix and not _head(name).startswith(("/", "~")) and not value.text.startswith("/"):
         name = joined([*prefix, "/", *name])
@@ -38,6 +37,12 @@ def local_name(value: Value, handle: Handle, node: str | None) -> LocalName:
         return _in_space(joined(["~/", *private]), space)
     other = handle.node.text.removeprefix(space).lstrip("/")
     return _in_space(joined([f"{other}/", *private]), space)
+
+
+def _private(parts: Parts) -> Parts:
+    """The same below `~`, without the name of the node in front; as it is where a setting may leave out the slash."""
+    _, first, *rest = parts
+    return joined(["~/", first.lstrip("/"), *rest]) if isinstance(first, str) else parts
 
 
 def local_parameter(value: Value, handle: Handle, ros: int | None) -> LocalName:

@@ -9,7 +9,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ecm_extract.link.naming.handles import Handle, under
-from ecm_extract.link.running.values import Hole, Value, settled, with_node
+from ecm_extract.link.running.own_names import with_node
+from ecm_extract.link.running.values import Hole, Value, settled
 
 
 class RosName(NamedTuple):
@@ -64,23 +65,22 @@ def is_never_made(value: Value, name: RosName) -> bool:
 
 
 def _after(value: Value, kind: str) -> str | None:
-    """What is below the node's own name or namespace, with which a value begins; None for other values.
+    """What is below the node's own name or namespace, with which a value begins, holes as `{label}`; None for others.
 
     `get_name() + "/x"` is `~/x` and `get_namespace() + "/x"` is `x` while the node stands in the root namespace.
     """
     parts = [part for part in value.parts if part]
     if not is_below_node(value) or not isinstance(parts[0], Hole) or parts[0].kind != kind:
         return None
-    return "".join(part for part in parts[1:] if isinstance(part, str)).lstrip("/")
+    return Value(tuple(parts[1:])).text.lstrip("/")
 
 
 def is_below_node(value: Value) -> bool:
-    """Tell whether a value is the node's own name or namespace followed by known text below it."""
+    """Tell whether a value is the node's own name or namespace followed by what is surely below it."""
     parts = [part for part in value.parts if part]
     if len(parts) < 2 or not isinstance(parts[0], Hole) or parts[0].kind not in {"node", "space"}:
         return False
-    rest = parts[1:]
-    return all(isinstance(part, str) for part in rest) and str(rest[0]).startswith("/")
+    return isinstance(parts[1], str) and parts[1].startswith("/")
 
 
 def is_below_handle(value: Value) -> bool:

@@ -11,9 +11,9 @@ from ecm_parsers.source.expr import Call, Items, Member, Name
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name, plain, pointee
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.scope import Definition
-from ecm_extract.link.running.values import Value
+from ecm_extract.link.running.values import Value, lowered, set_by
 from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
@@ -62,13 +62,50 @@ class GivenFields:
         if field is None or self._in_braces(name, cls):
             return ()
         own = [entry for entry in self.folder.scope.assigned_outside(name, "cpp") if self._is_of(entry, cls)]
-        found = [self.folder.fold(entry.statement.value, Env(entry.func, entry.at)) for entry in own]
+        kept = self._kept(name, cls, own, env)
+        if kept:
+            return kept
+        found = [self._value(entry) for entry in own]
         read = [values for values, entry in zip(found, own, strict=True) if not self._is_set(values, entry)]
         if not read or any(values != read[0] or len(values) != 1 for values in read):
             return ()
         begun = self.folder.fold(field.default, Env(env.func, this=cls)) if field.default is not None else read[0]
         is_read = bool(read[0][0].parameter) and read[0][0].confidence == "default"
         return read[0] if is_read and begun[0].parts == read[0][0].parts else ()
+
+    def _kept(self, name: str, cls: Cls, own: Sequence[Definition], env: Env) -> tuple[Value, ...]:
+        """What a field is declared with, where it is itself the default of the parameter that it is assigned."""
+        default = cls.fields[name].default
+        asked = {entry: self._asked(entry) for entry in own}
+        others = [entry for entry, parameter in asked.items() if parameter is None]
+        names = {parameter for parameter in asked.values() if parameter is not None}
+        if default is None or len(names) != 1 or not all(map(self.is_set_later, others)) or self._is_replaced(cls):
+            return ()
+        return set_by(names.pop(), lowered(self.folder.fold(default, Env(env.func, this=cls)), "default"))
+
+    def is_set_later(self, entry: Definition) -> bool:
+        """Tell whether an assignment of C++ takes what somebody sets out of the parameter that he hands over."""
+        return entry.func.file.language == "cpp" and self._is_set(self._value(entry), entry)
+
+    def _value(self, entry: Definition) -> tuple[Value, ...]:
+        return self.folder.fold(entry.statement.value, Env(entry.func, entry.at))
+
+    def _asked(self, entry: Definition) -> str | None:
+        """The parameter that a field is given, whose default it is: `s.x = node.declare_parameter("x", s.x)`."""
+        value, place = entry.statement.value, Env(entry.func, entry.at)
+        read = self.folder.reads.read(invocation_of(value, place)) if isinstance(value, Call) else None
+        if read is None or read[1] is None or read[1] != entry.statement.target:
+            return None
+        return self.folder.fold(read[0], place)[0].text
+
+    def _is_replaced(self, cls: Cls) -> bool:
+        """Whether somebody assigns a whole object of a class, or what may be one."""
+        return any(
+            self.folder.objects.class_of(statement.target, Env(func, at)) is cls
+            for func in self._functions
+            for at, statement in enumerate(func.fact.body)
+            if statement.kind == "set" and isinstance(statement.target, Name | Member)
+        )
 
     def _is_set(self, values: Sequence[Value], entry: Definition) -> bool:
         """Whether an assignment takes what nobody shows out of a parameter: once somebody sets it."""

@@ -62,12 +62,14 @@ class Value(NamedTuple):
 
     `template` has the same parts with those apart that a ROS parameter gives, and is empty where none does.
     `data` is what is no text: a number, a truth value, null; None for texts and for what is not known.
+    `beside` is how surely all but the name or namespace of the node is known, None where neither stands in it.
     """
 
     parts: tuple[str | Hole, ...]
     confidence: Confidence = "literal"
     template: tuple[str | Hole | OfParameter, ...] = ()
     data: Any = None
+    beside: Confidence | None = None
 
     @property
     def text(self) -> str:
@@ -190,7 +192,8 @@ def settled(value: Value) -> Value:
         return value
     parts = _with_defaults(value.parts)
     rest = any(isinstance(part, Hole) for part in parts)
-    return Value(parts, "pattern" if rest else "default", _template_with_defaults(value))
+    beside: Confidence | None = "default" if value.beside is not None else None
+    return Value(parts, "pattern" if rest else "default", _template_with_defaults(value), beside=beside)
 
 
 def _with_defaults(parts: Iterable[str | Hole]) -> tuple[str | Hole, ...]:
@@ -218,33 +221,6 @@ def without_defaults(value: Value) -> Value:
     return value._replace(parts=tuple(parts))
 
 
-def node_name() -> Value:
-    """The name of the node that the code runs in."""
-    return Value((Hole("node", "node"),), "pattern")
-
-
-def node_namespace(label: str = NAMESPACE) -> Value:
-    """The namespace of the node that the code runs in, or `PARENT_NAMESPACE`, the one above it."""
-    return Value((Hole(label, "space"),), "pattern")
-
-
-def below_namespace(value: Value) -> str | None:
-    """Return what comes after the namespace that a value begins with, None for other values."""
-    parts = [part for part in value.parts if part]
-    if len(parts) < 2 or not isinstance(parts[0], Hole) or parts[0].kind != "space":
-        return None
-    return Value(tuple(parts[1:])).text.removeprefix("/")
-
-
-def with_node(value: Value, node: str | None) -> Value:
-    """Fill in the name of the node where it is known."""
-    if node is None or not value.open("node"):
-        return value
-    parts = tuple([node if isinstance(part, Hole) and part.kind == "node" else part for part in value.parts])
-    rest = any(isinstance(part, Hole) for part in parts)
-    return Value(parts, "pattern" if rest else "folded", value.template)
-
-
 def weaker(first: Confidence, second: Confidence) -> Confidence:
     """The less certain of two."""
     return first if _RANK[first] >= _RANK[second] else second
@@ -257,7 +233,15 @@ def surer(first: Confidence, second: Confidence) -> Confidence:
 
 def lowered(values: Iterable[Value], to: Confidence) -> tuple[Value, ...]:
     """The same values, at most as certain as `to`."""
-    return tuple([value._replace(confidence=weaker(value.confidence, to)) for value in values])
+    return tuple(
+        [
+            value._replace(
+                confidence=weaker(value.confidence, to),
+                beside=weaker(value.beside, to) if value.beside is not None else None,
+            )
+            for value in values
+        ]
+    )
 
 
 def demoted(values: Iterable[Value]) -> tuple[Value, ...]:
@@ -280,7 +264,11 @@ def _beside(left: Value, right: Value) -> Value:
     """One value after another; what is longer than any name is told as such and goes no further."""
     if TOO_LONG in left.parts or TOO_LONG in right.parts or _length(left) + _length(right) > MAX_LENGTH:
         return Value((TOO_LONG,), "pattern")
-    return Value(left.parts + right.parts, weaker(left.confidence, right.confidence), _template(left, right))
+    beside = None
+    if left.beside is not None or right.beside is not None:
+        beside = weaker(left.beside or left.confidence, right.beside or right.confidence)
+    confidence = weaker(left.confidence, right.confidence)
+    return Value(left.parts + right.parts, confidence, _template(left, right), beside=beside)
 
 
 def _length(value: Value) -> int:
@@ -328,7 +316,9 @@ def unique(values: Iterable[Value]) -> tuple[Value, ...]:
 def _either(one: Value, other: Value) -> Value:
     """One text that is known in two ways: as surely as the weaker of them."""
     data = one.data if one.data == other.data else None
-    return Value(one.parts, weaker(one.confidence, other.confidence), one.template or other.template, data)
+    beside = weaker(one.beside, other.beside) if one.beside is not None and other.beside is not None else None
+    confidence = weaker(one.confidence, other.confidence)
+    return Value(one.parts, confidence, one.template or other.template, data, beside)
 
 
 def _label(text: str) -> str:
