@@ -278,6 +278,10 @@ class Sites:
         own = made.args if func.is_constructor and func.cls is cls else {}
         return Env(func, place.at, own, types, cls, made)
 
+    def made_by(self, call: Invocation, cls: Cls, outer: Env) -> Instance | None:
+        """Return how a call at a place makes an object of a class."""
+        return self._in_made(outer, cls, call, outer).made
+
     def makings(self, func: Func, at: int) -> Iterator[Env]:
         """Yield a place once for each call in the tree that makes the object at hand; nothing for functions."""
         cls = func.holder
