@@ -51,6 +51,7 @@ from ecm_extract.link.naming.names import (
 )
 from ecm_extract.link.naming.node_names import NodeName, NodeNames
 from ecm_extract.link.naming.plugin_names import Names, with_own_names
+from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.owning.activation import Activation
 from ecm_extract.link.owning.built import files_of
 from ecm_extract.link.owning.made import units_of
@@ -109,7 +110,7 @@ class Linker:
         self.registry = registry = build_registry(self.program, packages)
         also, plugins = (*observation_forms(), *SUMMARIES), plugins_of(self.program, registry)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
-        self.handles = Handles(self.folder, HostArguments(self.sites))
+        self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, registry.classes))
         self.folder.prefixes = self.handles.prefix
         self.typing = EndpointTypes(self.folder, self.types)
         self.names = NodeNames(self.folder, self.sites)

@@ -124,3 +124,32 @@ def test_a_helper_without_a_default_leaves_the_name_open(workspace: Any) -> None
     """`get_param(name)` of the class itself gives what the parameter is set to."""
     workspace.package({"scripts/robot.py": ASKING.format(call='self.get_param("~topic")', helper=METHOD)}, ros=1)
     assert workspace.only("subscriber").name == "/{topic}"
+
+
+FILLING = """
+#include <ros/ros.h>
+std::string load(ros::NodeHandle & nh, const std::string & name, const std::string & otherwise, bool force) {{
+  std::string value;
+  {body}
+  return value;
+}}
+int main(int c, char ** v) {{
+  ros::init(c, v, "d");
+  ros::NodeHandle nh;
+  ros::Publisher out = nh.advertise<std_msgs::String>(load(nh, "topic", "/a", false), 1);
+}}
+"""
+FILLED = [
+    ("if (!nh.getParam(name, value)) { value = otherwise; }", "/a"),
+    ("if (nh.getParam(name, value) == false) value = otherwise;", "/a"),
+    ("if (!nh.getParam(name, value) || force) { value = otherwise; }", "/{topic}"),
+    ("if (nh.getParam(name, value)) { value = otherwise; }", "/{topic}"),
+    ('if (!nh.getParam(name, value)) { ROS_WARN("unset"); } value = otherwise;', "/{topic}"),
+]
+
+
+@pytest.mark.parametrize(("body", "name"), FILLED, ids=[row[0] for row in FILLED])
+def test_what_a_helper_fills_in_is_the_default(workspace: Any, body: str, name: str) -> None:
+    """A name that a helper reads from a parameter has the default that the helper gives its variable otherwise."""
+    found = workspace.package({"src/d.cpp": FILLING.format(body=body)}, ros=1).only("publisher")
+    assert found.name == name

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Set
 from dataclasses import dataclass
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.spelling import last_name
@@ -17,6 +17,7 @@ from ecm_extract.shipped import shipped_names
 _TABLE: Final = "link/code/library_values.toml"
 _POINTERS: Final = shipped_names(_TABLE, "pointers")
 _ALLOCATED: Final = shipped_names(_TABLE, "allocated")
+_NULL: Final = (Constant("null"), Name("NULL"))
 
 
 def pointed(expr: Expr) -> str:
@@ -24,6 +25,11 @@ def pointed(expr: Expr) -> str:
     made = expr.callee if isinstance(expr, Call) and expr.types else None
     is_made = isinstance(made, Name) and makes_pointed(last_name(made.id))
     return expr.types[0] if is_made and isinstance(expr, Call) else ""
+
+
+def is_null(expr: Expr | None) -> bool:
+    """Tell whether an expression is what a pointer is given that is no object."""
+    return expr in _NULL
 
 
 def makes_pointed(last: str) -> bool:

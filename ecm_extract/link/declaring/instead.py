@@ -1,8 +1,8 @@
-"""What a helper that reads a parameter gives where nobody set it: `return read if known else fallback`."""
+"""What is taken where nobody set a parameter: `return read if known else fallback`, `if (!get(x)) x = fallback;`."""
 
 from __future__ import annotations
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
 
 from ecm_extract.link.code.calls import Invocation
 
@@ -21,6 +21,35 @@ def returned_instead(call: Invocation, out: Expr | None) -> Expr | None:
     given = {parameter.name for parameter in call.func.fact.params}
     others = {value for value in returned if isinstance(value, Name) and value.id in given}
     return others.pop() if len(others) == 1 else None
+
+
+def is_denied(call: Invocation) -> bool:
+    """Tell whether a condition is just that the parameter is not set: `!read(...)`, `read(...) == false`."""
+    value = call.statement.value
+    if not isinstance(value, Op) or call.statement.kind != "do":
+        return False
+    denies = value.op == "!" or (value.op == "==" and value.operands[1:] == (Constant("false"),))
+    asked = value.operands[0]
+    return denies and isinstance(asked, Call) and asked.line == call.line and asked.args == call.args
+
+
+def assigned_instead(call: Invocation, out: Expr, at: int) -> Expr | None:
+    """Return what the branch behind the condition gives the variable; `at` is the statement of the call."""
+    for statement in call.func.fact.body[at + 1 :]:
+        if statement.depth < call.statement.depth or statement.kind == "return":
+            return None
+        if statement.kind == "set" and statement.target == out:
+            return statement.value
+    return None
+
+
+def given_instead(call: Invocation, out: Expr | None) -> Expr | None:
+    """Return what a helper returns where nobody set the parameter that it reads; None where that is not stated."""
+    instead = returned_instead(call, out)
+    if instead is not None or out is None or not is_denied(call):
+        return instead
+    returned = [statement.value for statement in call.func.fact.body if statement.kind == "return"]
+    return assigned_instead(call, out, call.at) if returned == [out] else None
 
 
 def _assigned(call: Invocation) -> Expr | None:

@@ -17,7 +17,7 @@ from ecm_extract.link.code.option_structs import spread
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.call_targets import CallTargets
 from ecm_extract.link.declaring.closures import given, is_of_parameter
-from ecm_extract.link.declaring.instead import returned_instead
+from ecm_extract.link.declaring.instead import given_instead
 from ecm_extract.link.declaring.making import Making
 from ecm_extract.link.declaring.match import Matcher, name_argument, positions
 from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
@@ -174,7 +174,7 @@ class Sites:
         name = self._parameter_of(name_argument(site.form, site.call), site)
         stated = next(positions(site.form.default, site.call), None)
         out = next(positions(site.form.out, site.call), None)
-        default = self._parameter_of(stated or returned_instead(site.call, out), site)
+        default = self._parameter_of(stated or given_instead(site.call, out), site)
         if name:
             self.parameters.add_wrapper(site.root, name, default)
 
@@ -277,6 +277,10 @@ class Sites:
         made = made if func is constructor else self.folder.objects.delegated(made)
         own = made.args if func.is_constructor and func.cls is cls else {}
         return Env(func, place.at, own, types, cls, made)
+
+    def made_by(self, call: Invocation, cls: Cls, outer: Env) -> Instance | None:
+        """Return how a call at a place makes an object of a class."""
+        return self._in_made(outer, cls, call, outer).made
 
     def makings(self, func: Func, at: int) -> Iterator[Env]:
         """Yield a place once for each call in the tree that makes the object at hand; nothing for functions."""

@@ -5,11 +5,10 @@ ROS 1 writes `if (!nh.getParam("rate", rate)) rate = 10.0;`, or gives the variab
 
 from __future__ import annotations
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
+from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.declaring.instead import returned_instead
+from ecm_extract.link.declaring.instead import assigned_instead, is_denied, returned_instead
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
@@ -22,30 +21,10 @@ def fallback(site: Site, at: int, folder: Folder) -> Expr | None:
     instead = returned_instead(site.call, out)
     if instead is not None or site.form.default or not isinstance(out, Name | Member):
         return instead
-    if _is_denied(site.call):
-        return _assigned_next(site.call, out, at)
+    if is_denied(site.call):
+        return assigned_instead(site.call, out, at)
     plainly = isinstance(site.call.statement.value, Call) and site.call.statement.kind == "do"
     return _held_before(out, site.env, folder) if plainly else None
-
-
-def _is_denied(call: Invocation) -> bool:
-    """Tell whether a condition is just that the parameter is not set: `!read(...)`, `read(...) == false`."""
-    value = call.statement.value
-    if not isinstance(value, Op) or call.statement.kind != "do":
-        return False
-    denies = value.op == "!" or (value.op == "==" and value.operands[1:] == (Constant("false"),))
-    asked = value.operands[0]
-    return denies and isinstance(asked, Call) and asked.line == call.line and asked.args == call.args
-
-
-def _assigned_next(call: Invocation, out: Expr, at: int) -> Expr | None:
-    """What the branch behind the condition gives the variable."""
-    for statement in call.func.fact.body[at + 1 :]:
-        if statement.depth < call.statement.depth or statement.kind == "return":
-            return None
-        if statement.kind == "set" and statement.target == out:
-            return statement.value
-    return None
 
 
 def _held_before(out: Name | Member, env: Env, folder: Folder) -> Expr | None:

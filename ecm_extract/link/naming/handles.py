@@ -15,6 +15,7 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.naming.carriers import carriers
 from ecm_extract.link.naming.given_handles import given_namespace
 from ecm_extract.link.naming.host_arguments import HostArguments
+from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.running.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.running.own_names import node_namespace
 from ecm_extract.link.running.values import Value, is_known, joined, literal, unknown
@@ -53,11 +54,13 @@ class Handles:
     Args:
         folder: gives values and types.
         hosts: tells what hosts in the tree give to plugins.
+        sole: tells how objects are made of which there is one.
     """
 
-    def __init__(self, folder: Folder, hosts: HostArguments) -> None:
+    def __init__(self, folder: Folder, hosts: HostArguments, sole: SoleObjects) -> None:
         self.folder = folder
         self.hosts = hosts
+        self.sole = sole
         self._handing: set[tuple[Func, str]] = set()
 
     def of(self, expr: Expr | None, env: Env) -> Handle:
@@ -114,6 +117,7 @@ class Handles:
         cls = made.cls if made is not None else self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return self._declared(expr, env)
+        made = made or self.sole.of(cls)
         place = Env(env.func, env.at, this=cls, made=made, depth=env.depth + 1)
         return self._variable(Member(_THIS, expr.name), place, depth)
 

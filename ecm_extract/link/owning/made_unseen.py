@@ -11,9 +11,9 @@ from collections.abc import Iterator
 from typing import Final
 
 from ecm_parsers.source.expr import Call, Expr, Items, Name
-from ecm_parsers.source.facts import Statement
+from ecm_parsers.source.facts import Constant, Statement
 
-from ecm_extract.link.code.pointed import makes_pointed
+from ecm_extract.link.code.pointed import is_null, makes_pointed
 from ecm_extract.link.code.spelling import by_value, last_name, plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import last_of
@@ -66,9 +66,14 @@ def _of_fields(cls: Cls, braced: set[str]) -> Iterator[str]:
 
 def _outside(program: Program) -> Iterator[str]:
     for _, constant in (each for group in program.constants.values() for each in group):
-        yield constant.type
+        yield _in_template(constant.type) if _points_nowhere(constant) else constant.type
     for alias in (each for file in program.files for each in file.facts.aliases):
         yield _in_template(alias.target) if "<" in alias.target else alias.target
+
+
+def _points_nowhere(constant: Constant) -> bool:
+    """Whether a variable is a plain pointer that begins as that of no object, as a static one does."""
+    return constant.type.endswith("*") and (constant.value is None or is_null(constant.value))
 
 
 def _has_braces_within(statement: Statement) -> bool:

@@ -5,19 +5,17 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Constant, Expr, Member, Name
+from ecm_parsers.source.expr import Expr, Member, Name
 
 from ecm_extract.infer.held import Held
+from ecm_extract.link.code.pointed import is_null
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
-
-_NULL: Final = (Constant("null"), Name("NULL"))
-"""What a pointer is given that is no object."""
 
 
 class Origins:
@@ -172,7 +170,7 @@ def _is_object(held: Held) -> bool:
 
 
 def _is_null(held: Held) -> bool:
-    return held.how == "value" and held.expr in _NULL
+    return held.how == "value" and is_null(held.expr)
 
 
 def _placed(held: Held, env: Env) -> Held:
