@@ -298,6 +298,16 @@ def bare_names(expr: Expr | None) -> Iterator[Expr]:
             yield from bare_names(arg)
 
 
+def shared_names(expr: Expr | None) -> Iterator[Expr]:
+    """Yield the variables that an expression of Python is, holds, or is a part of: `[a]`, `pair[0]`, `table.get(x)`."""
+    yield from bare_names(expr)
+    if isinstance(expr, Op) and expr.op in {"[]", "?:", "||", "&&"}:
+        for operand in expr.operands[: 1 if expr.op == "[]" else None]:
+            yield from shared_names(operand)
+    elif isinstance(expr, Call) and isinstance(expr.callee, Member):
+        yield from shared_names(expr.callee.base)
+
+
 def is_plain(expr: Expr | None) -> bool:
     """Tell whether an expression is a value that nobody can change in place: a text, a number, a function."""
     if isinstance(expr, Text | Number | Constant | Template | Lambda):

@@ -101,11 +101,17 @@ class Memory:
         return self.sharing.alike(key, state) if self.frame.python else self.sharing.names_of(key)
 
     def in_part(self, key: str, held: Held, state: State) -> State:
-        """Give a field of an object something to hold, for all names of the object; a member of the own one has one."""
-        keys = {key}
+        """Give a field of an object something to hold, for all names of the object; a member of the own one has one.
+
+        What may be the same object, or an element that is, has a field that nobody knows.
+        """
+        keys, perhaps = {key}, set[str]()
         for whole in wholes(key):
-            keys |= {name + key.removeprefix(whole) for name in self.names(whole, state)}
-        return state.having(dict.fromkeys(keys, (held,)))
+            names, part = self.names(whole, state), key.removeprefix(whole)
+            keys |= {name + part for name in names}
+            perhaps |= {name + part for name in self.sharing.holding(names, state)}
+        unknown = {name: (Held("lost", name),) for name in perhaps - keys}
+        return state.having(unknown).having(dict.fromkeys(keys, (held,)))
 
     def exchanged(self, key: str, ways: tuple[Held, ...], state: State) -> State:
         """Give a variable of C++ what another one held; who may be changed any time is not known any more."""

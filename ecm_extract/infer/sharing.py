@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Set
 
 from ecm_parsers.source.expr import Member, Name
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.effects import bare_names
+from ecm_extract.infer.effects import is_plain, shared_names
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.outline import Outline
 
@@ -105,16 +106,55 @@ class Sharing:
         return meant if then is not None and then.holds.get(meant) is state.holds.get(meant) else ""
 
     def holding(self, keys: Set[str], state: State) -> set[str]:
-        """Return variables that may be, or consist of, what some names mean."""
+        """Return variables that may be, or consist of, what some names mean, or what that consists of."""
+        meant = {name: self._meant(ways, state) for name, ways in state.holds.items()}
+        found = _closed(keys, lambda name: meant.get(name, set()))
+        holders = defaultdict[str, set[str]](set)
+        for name, others in meant.items():
+            for other in others:
+                holders[other].add(name)
+        changing = {name for name in found if name in keys or not self._is_plain(name, state)}
+        return found | _closed(changing, lambda name: holders[name])
+
+    def _meant(self, ways: Iterable[Held], state: State) -> set[str]:
+        """The variables that one is, or consists of; what is bound at another place only is what it holds there."""
         found: set[str] = set()
-        for name, ways in state.holds.items():
-            for held in all_ways(ways):
-                meant = self._meant(held)
-                if meant & keys:
-                    found.add(name)
-                if name in keys:
-                    found |= {key for key in meant if key in state.holds}
+        pending, seen = list(ways), set[Held]()
+        while pending:
+            held = pending.pop()
+            if held in seen:
+                continue
+            seen.add(held)
+            pending += _before(held)
+            there = held.env.state.holds if held.env is not None and held.env.state is not None else {}
+            for key in self._named(held):
+                found.add(key)
+                pending += there.get(key, ()) if key not in state.holds else ()
         return found
 
-    def _meant(self, held: Held) -> set[str]:
-        return {self.effects.key(expr) for expr in (*bare_names(held.expr), *bare_names(held.more))}
+    def _named(self, held: Held) -> set[str]:
+        exprs = (*shared_names(held.expr), *shared_names(held.more))
+        return {self.effects.key(expr) for expr in exprs} - {""}
+
+    def _is_plain(self, name: str, state: State) -> bool:
+        ways = all_ways(state.holds.get(name, ()))
+        return bool(ways) and all(held.how == "value" and is_plain(held.expr) for held in ways)
+
+
+def _closed(keys: Iterable[str], following: Callable[[str], Set[str]]) -> set[str]:
+    """Return names, and what follows from them, and from that."""
+    found: set[str] = set()
+    pending = list(keys)
+    while pending:
+        name = pending.pop()
+        if name not in found:
+            found.add(name)
+            pending += following(name)
+    return found
+
+
+def _before(held: Held) -> Iterable[Held]:
+    """What a variable may hold on each route, and what that was before it was changed: it still consists of that."""
+    if held.how == "met":
+        return all_ways((held,))
+    return held.before if held.how != "entered" else ()

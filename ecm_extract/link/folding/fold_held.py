@@ -17,7 +17,7 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.declared_numbers import as_declared
 from ecm_extract.link.folding.fields_left import field_left
 from ecm_extract.link.folding.fold_changes import STREAMS, ChangeFolder
-from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, bind, invocation_of
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, bind, invocation_of
 from ecm_extract.link.running.own_names import node_name
 from ecm_extract.link.running.values import (
     Value,
@@ -161,7 +161,10 @@ class HeldFolder:
             return ()
         for base in self.folder.program.bases(cls):
             if self._is_of(name, base):
-                return self.folder.members.member_value(name, base, env)
+                made = self.folder.objects.part(env.made or Instance(cls, {}, {}), base)
+                return self.folder.members.member_value(
+                    name, base, Env(env.func, env.at, this=env.this, made=made, depth=env.depth)
+                )
         values = self.folder.members.initial(name, env.this or cls, env)
         last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
         return values or ((literal("")._replace(confidence="folded"),) if last in _TEXTS else ())

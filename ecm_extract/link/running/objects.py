@@ -203,15 +203,15 @@ class Objects:
         types = {key: made.types.get(value) or self._meant(value, made.cls) for key, value in types.items()}
         if made.maker is not None and made.maker.cls is not made.cls:
             return Instance(parent, made.args, types, made.maker)  # a constructor that is inherited
-        for func in made.cls.methods:
-            if not func.is_constructor:
-                continue
-            env = Env(func, args=made.args, this=made.cls, made=made)
-            call = _base_call(func, parent)
-            constructor = self.constructor(parent, len(call.args)) if call is not None else None
-            if call is not None and constructor is not None:
-                return Instance(parent, bind(constructor, call, env.before(call.at)), types, constructor)
-        return Instance(parent, {}, types)
+        makers = [method for method in made.cls.methods if method.is_constructor]
+        if len(makers) != 1 and made.maker is not None:
+            makers = [made.maker]
+        calls = [call for call in (_base_call(func, parent) for func in makers) if call is not None]
+        constructor = self.constructor(parent, len(calls[0].args)) if len(calls) == 1 else None
+        if constructor is None:
+            return Instance(parent, {}, types)
+        env = Env(calls[0].func, args=made.args, this=made.cls, made=made)
+        return Instance(parent, bind(constructor, calls[0], env.before(calls[0].at)), types, constructor)
 
     def delegated(self, made: Instance) -> Instance:
         """Return how an object is made by the constructor to which its own one leaves that."""
