@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.expr import Expr, Member, Name, Op
 
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env, invocation_of
-from ecm_extract.link.running.values import MAX_ALTERNATIVES, Value, alternatives, demoted
+from ecm_extract.link.running.values import MAX_ALTERNATIVES, Value, alternatives, demoted, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -96,7 +96,9 @@ class FieldFolder:
         target = statement.target
         if not isinstance(target, Member) or not self._same_kind(expr.base, env, target.base, inner):
             return ()
-        return demoted(self.folder.fold(statement.value, inner))
+        values = demoted(self.folder.fold(statement.value, inner))
+        is_other = _is_element(target.base) and target.base != expr.base
+        return alternatives((*values, unknown(expr.name))) if is_other else values
 
     def _same_kind(self, one: Expr, env: Env, other: Expr, inner: Env) -> bool:
         """Tell whether two objects are of one class, or called the same where a class is not known."""
@@ -118,3 +120,10 @@ class FieldFolder:
         if func is env.func:
             return env.before(at)
         return Env(func, at, this=func.cls and (env.this or func.cls), depth=env.depth + 1)
+
+
+def _is_element(expr: Expr) -> bool:
+    """Tell whether an object is one of several, or lies in one: `rows[0]`; what it is given the others are not."""
+    while isinstance(expr, Member):
+        expr = expr.base
+    return isinstance(expr, Op) and expr.op == "[]"
