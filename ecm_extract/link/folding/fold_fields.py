@@ -97,9 +97,8 @@ class FieldFolder:
         if not isinstance(target, Member) or not self._same_kind(expr.base, env, target.base, inner):
             return ()
         values = demoted(self.folder.fold(statement.value, inner))
-        is_other = _is_element(target.base) or (func is env.func and isinstance(target.base, Name))
-        apart = is_other and target.base != expr.base
-        return alternatives((*values, unknown(expr.name))) if apart else values
+        is_other = _is_element(target.base) and target.base != expr.base
+        return alternatives((*values, unknown(expr.name))) if is_other else values
 
     def _same_kind(self, one: Expr, env: Env, other: Expr, inner: Env) -> bool:
         """Tell whether two objects are of one class, or called the same where a class is not known."""
