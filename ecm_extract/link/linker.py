@@ -55,6 +55,7 @@ from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.owning.activation import Activation
 from ecm_extract.link.owning.built import files_of
 from ecm_extract.link.owning.made import units_of
+from ecm_extract.link.owning.made_unseen import SeenMakers
 from ecm_extract.link.owning.modules import Module, Modules
 from ecm_extract.link.owning.ownership import Ownership
 from ecm_extract.link.owning.references import References, Unit
@@ -110,7 +111,8 @@ class Linker:
         self.registry = registry = build_registry(self.program, packages)
         also, plugins = (*observation_forms(), *SUMMARIES), plugins_of(self.program, registry)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
-        self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, registry.classes))
+        makers = SeenMakers(self.program, registry.classes)
+        self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, makers))
         self.folder.prefixes = self.handles.prefix
         self.typing = EndpointTypes(self.folder, self.types)
         self.names = NodeNames(self.folder, self.sites)
@@ -118,7 +120,7 @@ class Linker:
         self.parameter_sites: list[Site] = []
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
-        self.ownership = Ownership(self.sites, self.modules)
+        self.ownership = Ownership(self.sites, self.modules, makers)
         self.conditions = EndpointConditions(self.sites, self.modules)
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Expr, Member, Name, Op
 
+from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.values import MAX_ALTERNATIVES, Value, alternatives, demoted, unknown
@@ -97,8 +98,17 @@ class FieldFolder:
         if not isinstance(target, Member) or not self._same_kind(expr.base, env, target.base, inner):
             return ()
         values = demoted(self.folder.fold(statement.value, inner))
-        is_other = _is_element(target.base) and target.base != expr.base
-        return alternatives((*values, unknown(expr.name))) if is_other else values
+        is_other = _is_element(target.base) or (func is env.func and self._is_own(target.base, env))
+        apart = is_other and target.base != expr.base and not self._may_refer(expr.base, env)
+        return alternatives((*values, unknown(expr.name))) if apart else values
+
+    def _is_own(self, expr: Expr, env: Env) -> bool:
+        """Tell whether a variable is an object itself."""
+        return isinstance(expr, Name) and by_value(self.folder.scope.declared_type(expr.id, env))
+
+    def _may_refer(self, expr: Expr, env: Env) -> bool:
+        """Tell whether a variable may be another name of an object that the function has."""
+        return isinstance(expr, Name) and self.folder.scope.declared_type(expr.id, env).endswith(("&", "*"))
 
     def _same_kind(self, one: Expr, env: Env, other: Expr, inner: Env) -> bool:
         """Tell whether two objects are of one class, or called the same where a class is not known."""

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Set
-from functools import cached_property
-
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.sites import Sites
-from ecm_extract.link.owning.made_unseen import made_unseen
+from ecm_extract.link.owning.made_unseen import SeenMakers
 from ecm_extract.link.running.env import Env, Instance
 
 
@@ -17,19 +14,19 @@ class SoleObjects:
 
     Args:
         sites: knows the calls that make objects.
-        registered: classes of which frameworks make objects.
+        makers: tells whose objects are all made where it is seen.
     """
 
-    def __init__(self, sites: Sites, registered: Collection[Cls]) -> None:
+    def __init__(self, sites: Sites, makers: SeenMakers) -> None:
         self.sites = sites
-        self._registered = registered
+        self._makers = makers
         self._known: dict[Cls, Instance | None] = {}
 
     def of(self, cls: Cls) -> Instance | None:
         """Return how it is made; None of a class of which there may be several objects, or some that nobody sees."""
         if cls not in self._known:
             self._known[cls] = None  # who asks in a circle
-            self._known[cls] = self._made(cls) if self._is_seen(cls) else None
+            self._known[cls] = self._made(cls) if self._is_followed(cls) else None
         return self._known[cls]
 
     def _made(self, cls: Cls) -> Instance | None:
@@ -44,11 +41,5 @@ class SoleObjects:
             return self.sites.root_env(func, call.at)
         return Env(func, call.at, holder.args, this=func.cls, made=holder)
 
-    def _is_seen(self, cls: Cls) -> bool:
-        """Whether all that makes objects of a class names it: neither frameworks nor derived classes make some."""
-        made_by_others = cls in self._registered or self.sites.program.derived(cls)
-        return cls.file.language == "cpp" and not made_by_others and cls.fact.name not in self._unseen
-
-    @cached_property
-    def _unseen(self) -> Set[str]:
-        return made_unseen(self.sites.program)
+    def _is_followed(self, cls: Cls) -> bool:
+        return cls.file.language == "cpp" and self._makers.is_seen(cls)

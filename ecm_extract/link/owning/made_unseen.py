@@ -7,7 +7,8 @@ other names of a class make objects of it all the same.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
+from functools import cached_property
 from typing import Final
 
 from ecm_parsers.source.expr import Call, Expr, Items, Name
@@ -22,6 +23,28 @@ from ecm_extract.link.index.program import Program
 _WORD: Final = re.compile(r"\w+")
 _IN_PLACE: Final = "optional"
 """Holds the object itself, which `emplace` makes."""
+
+
+class SeenMakers:
+    """Tells of which classes all that makes objects names them.
+
+    Args:
+        program: has all that makes some.
+        registered: classes of which frameworks make objects.
+    """
+
+    def __init__(self, program: Program, registered: Collection[Cls]) -> None:
+        self.program = program
+        self._registered = registered
+
+    def is_seen(self, cls: Cls) -> bool:
+        """Tell whether neither frameworks nor derived classes, nor what names none, make objects of a class."""
+        made_by_others = cls in self._registered or self.program.derived(cls)
+        return not made_by_others and cls.fact.name not in self._unseen
+
+    @cached_property
+    def _unseen(self) -> frozenset[str]:
+        return made_unseen(self.program)
 
 
 def made_unseen(program: Program) -> frozenset[str]:

@@ -9,6 +9,7 @@ from ecm_extract.link.declaring.sites import Sites, overrides
 from ecm_extract.link.owning.constructors import Constructors
 from ecm_extract.link.owning.decided import Decided
 from ecm_extract.link.owning.leads import mentions_of_constant
+from ecm_extract.link.owning.made_unseen import SeenMakers
 from ecm_extract.link.owning.modules import Module, Modules
 from ecm_extract.link.owning.reach import Reach
 from ecm_extract.link.owning.references import Unit
@@ -18,12 +19,12 @@ from ecm_extract.link.running.values import Hole, Value
 class Ownership:
     """Gives sites to modules."""
 
-    def __init__(self, sites: Sites, modules: Modules) -> None:
+    def __init__(self, sites: Sites, modules: Modules, makers: SeenMakers) -> None:
         self.sites = sites
         self.program = sites.program
         self.modules = modules
         self.reach = Reach(self.program, modules.loaded, modules.references.registered)
-        self.constructors = Constructors(self.program, sites.calls, modules.registry.classes)
+        self.constructors = Constructors(sites.calls, makers)
         self.decided = Decided(sites, modules.references)
 
     def owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:

@@ -1,4 +1,4 @@
-"""A field of one element of a list is none of the others, though they are of one class."""
+"""A field of one object is none of the others, though they are of one class."""
 
 from __future__ import annotations
 
@@ -16,18 +16,20 @@ int main() {{
   auto node = std::make_shared<rclcpp::Node>("demo");
   std::vector<Topic> topics{{Topic{{"a"}}, Topic{{"b"}}}};
   topics[0].name = "c";
+  Topic picked = pick();
   {make}
 }}
 """
 MAKE = "node->create_publisher<std_msgs::msg::String>({name}, 10);"
 ROWS = [
     ("another element", MAKE.format(name="topics[1].name")),
+    ("another variable", f'Topic own; own.name = "c"; {MAKE.format(name="picked.name")}'),
     ("any element", f"for (const auto & topic : topics) {{ {MAKE.format(name='topic.name')} }}"),
 ]
 
 
 @pytest.mark.parametrize("make", [row[1] for row in ROWS], ids=[row[0] for row in ROWS])
-def test_what_one_element_is_given_is_not_told_of_the_others_alone(workspace: Any, make: str) -> None:
+def test_what_one_object_is_given_is_not_told_of_the_others_alone(workspace: Any, make: str) -> None:
     """What the others were made with is a hole here; what was given to one is no proof for them."""
     text = NODE.format(make=make)
     package = workspace.package({"src/d.cpp": text, "CMakeLists.txt": "add_executable(d src/d.cpp)"})
