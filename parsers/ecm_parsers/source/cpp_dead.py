@@ -58,8 +58,8 @@ def _dead(data: bytes) -> Iterator[_Range]:
         elif found.word == b"endif" and groups:
             _close(groups[-1], found)
             yield from _found(groups.pop(), found)
-        else:
-            _define(found.word, found.rest, undefined, not groups)
+        elif all(group.holds is not False for group in groups):
+            _define(found.word, found.rest, undefined, all(group.holds for group in groups))
 
 
 def _turn(group: _Group, verdict: bool | None, found: Directive) -> None:

@@ -43,6 +43,8 @@ KEPT = {
     "an apostrophe in what is not compiled": ("#if 0\nI don't \" know\n#endif\nb;", "b;"),
     "an apostrophe in a number": ("int x = 1'000;\n#if 0\na;\n#endif", "int x = 1'000;"),
     "never closed": ("#if 1\na;\n", None),
+    "undefined where it is compiled": ("#if 1\n#undef A\n#ifdef A\na;\n#endif\n#endif\n", "#undef A"),
+    "defined where it is not": ("#undef A\n#if 0\n#define A\n#endif\n#ifdef A\na;\n#endif\n", "#undef A"),
 }
 
 
