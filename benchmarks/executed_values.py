@@ -90,9 +90,23 @@ class Judged:
 def _means(told: Told, name: str) -> bool:
     if "{" not in told.name:
         return told.name == name
-    parts = [re.escape(part) for part in _HOLE.split(told.name)]
+    parts = _HOLE.split(told.name)
     written = (name, f"/{name}", f"{name}/")  # what is unknown may be empty, and a `/` at an end is dropped
-    return any(re.fullmatch(".*".join(parts), each) is not None for each in written)
+    return any(_follow(parts, each) for each in written)
+
+
+def _follow(parts: Sequence[str], name: str) -> bool:
+    """Whether a name has some texts in their order, the first at its beginning and the last at its end."""
+    first, *between, last = parts
+    at, end = len(first), len(name) - len(last)
+    if end < at or not name.startswith(first) or not name.endswith(last):
+        return False
+    for part in between:
+        found = name.find(part, at, end)
+        if found < 0:
+            return False
+        at = found + len(part)
+    return True
 
 
 def _resolved(name: str) -> str:

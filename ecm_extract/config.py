@@ -10,6 +10,7 @@ from pathspec import GitIgnoreSpec
 
 from ecm_extract.errors import ConfigError
 from ecm_extract.link.declaring.forms import Form
+from ecm_extract.macros.rows import HeaderRow
 from ecm_extract.rule_ids import rule_id
 from ecm_extract.tree import printable
 
@@ -43,6 +44,7 @@ class Config(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     Attributes:
         extract: what is read.
         forms: rows `[[form]]` for wrappers of the project, tried before the bundled ones.
+        headers: rows `[[header]]` for macros of headers that are not in the tree.
         severity: level by rule id, `off` to silence it.
         promise: who must not break: the layers that the project guards (DESIGN §6); empty for all.
         externals: names that others provide, so never reported as unresolved: packages, topics, frames.
@@ -50,6 +52,7 @@ class Config(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     extract: Extract = Extract()
     forms: tuple[Form, ...] = msgspec.field(default=(), name="form")
+    headers: tuple[HeaderRow, ...] = msgspec.field(default=(), name="header")
     severity: dict[str, Level] = {}
     promise: tuple[Promise, ...] = ()
     externals: tuple[str, ...] = ()

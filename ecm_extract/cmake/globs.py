@@ -6,6 +6,8 @@ import re
 from collections.abc import Iterator
 from typing import Final
 
+from ecm_checker.gaps import with_gaps
+
 from ecm_extract.cmake.files import MAX_FOUND, BuildFiles, absolute, placed, tree_path
 
 _WILD: Final = frozenset("*?[")
@@ -54,15 +56,17 @@ def _below(files: BuildFiles, outer: str) -> Iterator[str]:
 
 def _translated(part: str) -> str:
     """A pattern of file names: `*`, `?` and sets of characters."""
-    text, at = "", 0
+    texts, at = [""], 0
     while at < len(part):
         char = part[at]
         end = part.find("]", at + 2) if char == "[" else -1
         if end > 0:
             inside = part[at + 1 : end].replace("\\", r"\\").replace("[", r"\[")
-            text += f"[{'^' + inside[1:] if inside[0] in '!^' else inside}]"
+            texts[-1] += f"[{'^' + inside[1:] if inside[0] in '!^' else inside}]"
             at = end
+        elif char == "*":
+            texts.append("")
         else:
-            text += {"*": ".*", "?": "."}.get(char, re.escape(char))
+            texts[-1] += "." if char == "?" else re.escape(char)
         at += 1
-    return text
+    return with_gaps(texts, ".*")

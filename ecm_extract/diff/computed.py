@@ -6,6 +6,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable
 
+from ecm_checker.gaps import with_gaps
 from ecm_checker.hub.provision import HOLE, Provision
 
 _LEAST_KNOWN = 4
@@ -38,4 +39,4 @@ def may_be_one(one: str, other: str) -> bool:
     if len(re.findall(r"\w", pattern.replace(HOLE, ""))) < _LEAST_KNOWN:
         return False
     fixed = [re.escape(part) for part in pattern.lstrip("~/").split(HOLE)]
-    return re.fullmatch(".+".join(fixed), name.lstrip("~/")) is not None
+    return re.fullmatch(with_gaps(fixed, ".+"), name.lstrip("~/")) is not None

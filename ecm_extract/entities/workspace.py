@@ -22,6 +22,7 @@ from ecm_extract.link.declaring.forms import FormTable, form_table
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.linker import LinkedModule, Linker
 from ecm_extract.link.running.objects import Objects
+from ecm_extract.macros.second_reading import read_with_header_macros
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.parameter_reads import parameter_read_requirements
 from ecm_extract.settings import config_of
@@ -74,7 +75,9 @@ def read_packages(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -
         include_tests = options.include_tests or config.extract.include_tests
         reader = SharedReader(tree, include_tests, config.extract.exclude, options.cache)
         reader.parsed = parsed
-        return PackagesRead(tree, reader.read(options.jobs, options.progress), form_table(config.forms))
+        packages = reader.read(options.jobs, options.progress)
+        read_with_header_macros(packages, tree, config.headers)
+        return PackagesRead(tree, packages, form_table(config.forms))
 
 
 def link_packages(read: PackagesRead) -> Workspace:

@@ -8,6 +8,7 @@ from typing import Any, Final
 
 import msgspec
 import yaml
+from ecm_checker.gaps import with_gaps
 from ecm_checker.view import View
 from ecm_parsers.overlay_yaml import SCHEMA
 
@@ -16,7 +17,7 @@ from ecm_extract.observe.model import Endpoint
 from ecm_extract.observe.standard import is_standard
 from ecm_extract.observe.watch import Pair, Running, Watch
 
-_HOLE: Final = re.compile(r"\\\{[^{}]*\\\}")
+_HOLE: Final = re.compile(r"\{[^{}]*\}")
 _HEAD: Final = (
     "# What the contracts leave open, as it was seen. Put it beside a package.xml as ecm.yaml, or merge it there.\n"
 )
@@ -62,7 +63,7 @@ def _opened(watch: Watch, running: Running) -> Iterator[Pair]:
 def _can_be(pattern: Expected, end: Endpoint) -> bool:
     interface = pattern.interface
     same_type = interface.type is None or "{" in interface.type or interface.type == end.type
-    form = _HOLE.sub(".+", re.escape(pattern.name))
+    form = with_gaps([re.escape(part) for part in _HOLE.split(pattern.name)], ".+")
     return interface.role == end.role and same_type and re.fullmatch(form, end.name) is not None
 
 

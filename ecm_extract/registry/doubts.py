@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Final
 
 import msgspec
+from ecm_checker.gaps import with_gaps
 from ecm_checker.hub.kinds import uses
 from ecm_checker.hub.provision import HOLE, Provision
 from ecm_checker.hub.requirement import Requirement
@@ -110,5 +111,5 @@ def _may_mean(entry: Requirement, provision: Provision) -> bool:
     if entry.type and provision.type and last_part(entry.type) != last_part(provision.type):
         return False
     offered, used = last_part(provision.name), entry.name.rpartition("/")[2]
-    pattern = ".*".join(map(re.escape, _COMPUTED.split(used)))
+    pattern = with_gaps([re.escape(part) for part in _COMPUTED.split(used)], ".*")
     return HOLE in offered or re.fullmatch(pattern, offered) is not None

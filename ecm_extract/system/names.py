@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from ecm_checker.gaps import with_gaps
 from ecm_checker.hub.local_name import LocalName, Parts, Teller
 
 from ecm_extract.link.naming.filling import filled
@@ -98,8 +99,14 @@ def node_matches(pattern: str | None, full_name: str) -> bool:
         return True
     if "*" not in pattern:
         return pattern == full_name
-    parts = [
-        "(?:/[^/]+)*" if part == "**" else "/" + re.escape(part).replace(r"\*", "[^/]+")
-        for part in pattern.strip("/").split("/")
-    ]
-    return re.fullmatch("".join(parts), full_name) is not None
+    runs = [""]
+    for part in pattern.strip("/").split("/"):
+        if part == "**":
+            runs.append("")
+        else:
+            runs[-1] += f"/{_one_part(part)}(?=/|\\Z)"
+    return re.fullmatch(with_gaps(runs, "(?:/[^/]+)*"), full_name) is not None
+
+
+def _one_part(part: str) -> str:
+    return with_gaps([re.escape(text) for text in part.split("*")], "[^/]+")

@@ -8,6 +8,7 @@ from fnmatch import fnmatchcase
 from typing import Any
 
 from ecm_checker.contract import Qos
+from ecm_checker.gaps import with_gaps
 from ecm_checker.hub.local_name import LocalName, shown
 from ecm_checker.hub.name_notation import read_name
 from ecm_checker.hub.roles import Role
@@ -42,7 +43,7 @@ class Declared:
         for name, default in entries:
             if "{" in name:
                 parts = [re.escape(part) for part in _HOLE.split(name)]
-                self._patterns.append(re.compile(".+".join(parts)))
+                self._patterns.append(re.compile(with_gaps(parts, ".+")))
             else:
                 self.plain[name] = default
 

@@ -8,6 +8,7 @@ from fnmatch import fnmatchcase
 from functools import lru_cache
 from typing import Final
 
+from ecm_checker.gaps import with_gaps
 from ecm_checker.hub.provision import HOLE
 
 _UNKNOWN: Final = re.compile(r"\{[^{}]*\}")
@@ -38,13 +39,13 @@ def whole_name_matches(offered: str, used: str) -> bool:
 @lru_cache(_KEPT)
 def _whole_pattern(name: str) -> re.Pattern[str]:
     lead, rest = ("/(?:.+/)?", name[len(HOLE) + 2 :]) if name.startswith(f"/{HOLE}/") else ("", name)
-    return re.compile(lead + ".+".join(re.escape(part) for part in rest.split(HOLE)))
+    return re.compile(lead + _with_holes(rest, ".+"))
 
 
 @lru_cache(_KEPT)
 def _graph_pattern(name: str, below_node: bool) -> re.Pattern[str]:
     name = name if below_node else _without_lead(name)
-    pattern = "[^/]+".join(re.escape(part) for part in name.split(HOLE))
+    pattern = _with_holes(name, "[^/]+")
     return re.compile(rf"(?:.*/)[^/]+/{pattern}|[^/]+/{pattern}" if below_node else rf"(?:.*/)?{pattern}")
 
 
@@ -63,16 +64,18 @@ def parameter_name_matches(declared: str, given: str) -> bool:
 
 @lru_cache(_KEPT)
 def _parameter_pattern(name: str, below_namespace: bool) -> re.Pattern[str]:
-    pattern = ".+".join(re.escape(part) for part in name.split(HOLE))
+    pattern = _with_holes(name, ".+")
     return re.compile(rf"(?:.*/)?{pattern}" if below_namespace else pattern)
 
 
 def text_pattern(names: Iterable[str]) -> re.Pattern[str]:
     """Return what finds the text of one of some names in what is given; something else may stand before it."""
-    found = (
-        ".*".join(map(re.escape, _without_lead(name.lstrip("~/")).split(HOLE))).removeprefix(".*") for name in names
-    )
+    found = (_with_holes(_without_lead(name.lstrip("~/")).removeprefix(HOLE), ".*") for name in names)
     return re.compile("|".join(rf"(?s:{each})\Z" for each in dict.fromkeys(found)))
+
+
+def _with_holes(name: str, hole: str) -> str:
+    return with_gaps([re.escape(part) for part in name.split(HOLE)], hole)
 
 
 def node_matches(owner: str, node: str) -> bool:

@@ -14,19 +14,22 @@ from ecm_parsers.source.cpp_macro_calls import with_macro_calls
 from ecm_parsers.source.cpp_mentions import mentions
 from ecm_parsers.source.cpp_parser import MAX_SECONDS, TooSlowError, first_error, parse_tree
 from ecm_parsers.source.cpp_place import Place
-from ecm_parsers.source.facts import Macro, SourceFile
+from ecm_parsers.source.facts import Macro, Replacement, SourceFile
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from tree_sitter import Tree
 
 MAX_BYTES = 4_000_000
 
 
-def parse_cpp(data: bytes) -> Parsed[SourceFile]:
+def parse_cpp(data: bytes, brought: Sequence[Replacement] = ()) -> Parsed[SourceFile]:
     """Read one C++ file.
 
     Args:
         data: the file's bytes, any encoding that keeps ASCII.
+        brought: macros of the headers that it includes, by which it calls something.
 
     Returns:
         Its facts; what the grammar could not read is one `info` diagnostic with the first such line.
@@ -34,7 +37,7 @@ def parse_cpp(data: bytes) -> Parsed[SourceFile]:
     if len(data) > MAX_BYTES:
         message = f"{len(data)} bytes of C++ were not read: the limit is {MAX_BYTES}. Exclude generated files."
         return Parsed(SourceFile("cpp"), (Diagnostic("warning", "cpp-too-large", 0, message, cut=True),))
-    data = with_macro_calls(without_dead(data))
+    data, exported = with_macro_calls(without_dead(data), brought)
     try:
         tree, read = parse_tree(data)
     except TooSlowError:
@@ -44,7 +47,7 @@ def parse_cpp(data: bytes) -> Parsed[SourceFile]:
     reader.read(tree.root_node, Place())
     written = cpp_text.registrations(data)
     macros = tuple([Macro(name, args, line, reader.namespace_at(line)) for name, args, line in written])
-    facts = msgspec.structs.replace(reader.facts(macros), mentions=mentions(tree.root_node, read))
+    facts = msgspec.structs.replace(reader.facts(macros), mentions=mentions(tree.root_node, read), exported=exported)
     return Parsed(facts, _diagnostics(tree))
 
 

@@ -1,135 +1,201 @@
-"""Calls of macros with parameters that a file defines itself: what stands there for the compiler.
+"""Calls of macros that stand for code: what is there for the compiler.
 
-`#define PUB(var, type, name) var = node->create_publisher<type>(name, 10)` declares what each `PUB(...)` declares. Only
-macros are put in that call something through an object or a namespace; what joins words (`##`) or is defined twice is
-left as it is written. Lines stay as they were. Source: [cpp.replace], [cpp.subst], [cpp.stringize] of the C++ standard.
+`#define PUB(var, type, name) var = node->create_publisher<type>(name, 10)` declares what each `PUB(...)` declares, and
+a list of rows `#define ROWS ROW(a, 1) ROW(b, 2)` what its row declares where it is used. Put in are macros that call
+something through an object or a namespace, and those that lead to one; where several definitions may hold, the text
+stays as it is written. Lines stay as they were. Source: [cpp.replace], [cpp.subst], [cpp.stringize], [cpp.concat],
+[cpp.rescan] of the C++ standard.
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Final, NamedTuple
 
 from ecm_parsers.source.cpp_directives import directives
+from ecm_parsers.source.cpp_macro_definitions import HINT, Definitions, exported, is_calling, leading, replacement
+from ecm_parsers.source.facts import Replacement
 
-_HINT: Final = re.compile(rb"\#[ \t]*define[ \t]+\w+\(")
-_DEFINED: Final = re.compile(rb"(?P<name>\w+)\((?P<params>[^()]*)\)(?P<body>.*)", re.DOTALL)
-_NAME: Final = re.compile(rb"\w+")
-_CALLS: Final = re.compile(rb"(?:->|\.|::)\s*(?:template\s+)?[A-Za-z_]\w*\s*[(<]")
 _SKIPPED: Final = (
     rb"//(?:[^\\\n]|\\\r?\n|\\)*|/\*(?:[^*]|\*(?!/))*(?:\*/)?"
     rb'|\bR"(?P<mark>[^()\\\s"]{0,16})\((?:(?!\)(?P=mark)").)*\)(?P=mark)"'
     rb"""|"(?:[^"\\\n]|\\\r?\n|\\.)*"|'(?:[^'\\\n]|\\.)+'"""
 )
+_OPENED: Final = re.compile(rb"\s*(?=\()")
 _ARGUMENT: Final = re.compile(rb"(?P<skipped>" + _SKIPPED + rb")|(?P<sign>[(),])", re.DOTALL)
 _COMMENT: Final = re.compile(rb"(?P<comment>//[^\n]*|/\*.*?\*/)|" + rb'"(?:[^"\\\n]|\\.)*"', re.DOTALL)
-_PART: Final = re.compile(rb"(?P<quoted>\"(?:[^\"\\\n]|\\.)*\")|\#\s*(?P<text>\w+)|(?P<word>[A-Za-z_]\w*)")
+_PART: Final = re.compile(
+    rb"(?P<quoted>\"(?:[^\"\\\n]|\\.)*\")|(?P<joint>\s*\#\#\s*)|\#\s*(?P<text>\w+)|(?P<word>[A-Za-z_]\w*)"
+)
 _REST: Final = b"__VA_ARGS__"
 MAX_CALLS = 2_000
 """Calls in a file beyond which all stay as they are written."""
-MAX_BODY = 4_000
-"""A longer body, in bytes, is left as it is."""
-MAX_DEPTH = 4
+MAX_PUT = 1_000_000
+"""Bytes that macros may stand for in a file, beyond which all stay as they are written."""
+MAX_DEPTH = 12
 """Macros within macros that are followed."""
 
 
-class _Macro(NamedTuple):
-    params: tuple[bytes, ...]
-    body: bytes
+class Expanded(NamedTuple):
+    """A text with its macros put in, and the macros that a file which includes it can call."""
+
+    data: bytes
+    exported: tuple[Replacement, ...] = ()
 
 
-def with_macro_calls(data: bytes) -> bytes:
-    """Return `data` with the calls of its own macros put in, each line where it was."""
-    macros = _macros(data) if _HINT.search(data) is not None else {}
-    if not macros:
-        return data
-    found = _Put(macros).into(data)
-    return found if found is not None else data
+class _Arguments(NamedTuple):
+    given: Sequence[bytes]
+    end: int
 
 
-def _macros(data: bytes) -> Mapping[bytes, _Macro]:
-    """The macros that may be put in, by name: those that are defined once."""
-    found: dict[bytes, list[_Macro | None]] = {}
-    for directive in directives(data):
-        name = _NAME.match(directive.rest) if directive.word == b"define" else None
-        if name is not None:
-            found.setdefault(name.group(), []).append(_macro(directive.rest))
-    return {name: each[0] for name, each in found.items() if len(each) == 1 and each[0] is not None}
+class _Found(NamedTuple):
+    put: bytes
+    end: int
 
 
-def _macro(rest: bytes) -> _Macro | None:
-    match = _DEFINED.fullmatch(rest)
-    if match is None or b"##" in rest or b"__VA_OPT__" in rest or len(rest) > MAX_BODY or not _CALLS.search(rest):
-        return None
-    params = tuple([each.strip() for each in match["params"].split(b",")]) if match["params"].strip() else ()
-    if any(each.endswith(b"...") and each != b"..." for each in params):
-        return None
-    return _Macro(params, match["body"].strip())
+class _Argument(NamedTuple):
+    """What stands for a parameter: as it is written for `#` and `##`, with its own macros put in otherwise."""
+
+    written: bytes
+    put: bytes
+
+
+def with_macro_calls(data: bytes, brought: Sequence[Replacement] = ()) -> Expanded:
+    """Return a text with the macros that call something put in, each line where it was.
+
+    Args:
+        data: a C++ file.
+        brought: macros of the headers that it includes.
+    """
+    if not brought and HINT.search(data) is None:
+        return Expanded(data)
+    written = [replacement(each.rest) for each in directives(data) if each.word == b"define"]
+    known = [*brought, *[each for each in written if each is not None]]
+    calling = {each.name for each in known if is_calling(each)}
+    if not calling:
+        return Expanded(data, exported(_held_at_end(data)))
+    names = leading(calling, known) | {each.name for each in known if each.params is not None}
+    definitions = Definitions(brought)
+    return Expanded(_Put(definitions, names).into(data), exported(definitions))
+
+
+def _held_at_end(data: bytes) -> Definitions:
+    definitions = Definitions()
+    for each in directives(data):
+        definitions.take(each)
+    return definitions
 
 
 class _Put:
-    """Puts macros into texts; None where there are too many calls."""
+    """Puts macros into a text.
 
-    def __init__(self, macros: Mapping[bytes, _Macro]) -> None:
-        self.macros = macros
+    Args:
+        definitions: those that hold at its beginning.
+        names: of macros that may lead to a call.
+    """
+
+    def __init__(self, definitions: Definitions, names: Iterable[bytes]) -> None:
+        self.definitions = definitions
         self.calls = 0
-        self.active: set[bytes] = set()
-        names = rb"|".join(map(re.escape, sorted(macros)))
-        self.token = re.compile(rb"(?P<skipped>" + _SKIPPED + rb")|\b(?P<name>" + names + rb")\s*(?=\()", re.DOTALL)
+        self.size = 0
+        self.calling = 0
+        words = rb"|".join(map(re.escape, sorted(names)))
+        self.token = re.compile(rb"(?P<skipped>" + _SKIPPED + rb")|\b(?P<name>" + words + rb")\b", re.DOTALL)
 
-    def into(self, data: bytes) -> bytes | None:
-        """Return a text with the calls in it replaced; directives stay."""
+    def into(self, data: bytes) -> bytes:
+        """Return a text with its macros put in; as it is where these are too many. Directives stay."""
         pieces: list[bytes] = []
         position = 0
         for each in directives(data):
-            pieces += [self._code(data[position : each.start], 0), data[each.start : each.end]]
+            pieces += [self._code(data[position : each.start], ()), data[each.start : each.end]]
             position = each.end
-            name = _NAME.match(each.rest)
-            if name is not None and each.word == b"define":
-                self.active.add(name.group())
-            elif name is not None and each.word == b"undef":
-                self.active.discard(name.group())
-        pieces.append(self._code(data[position:], 0))
-        return b"".join(pieces) if self.calls <= MAX_CALLS else None
+            self.definitions.take(each)
+        pieces.append(self._code(data[position:], ()))
+        return data if self._is_full() else b"".join(pieces)
 
-    def _code(self, data: bytes, depth: int) -> bytes:
+    def _is_full(self) -> bool:
+        return self.calls > MAX_CALLS or self.size > MAX_PUT
+
+    def _code(self, data: bytes, inside: tuple[bytes, ...]) -> bytes:
         pieces: list[bytes] = []
         position = 0
         while (match := self.token.search(data, position)) is not None:
-            pieces.append(data[position : match.start()])
-            position = match.end()
-            name = match["name"] if match["name"] in self.active else None
-            read = _arguments(data, match.end()) if name is not None and self.calls <= MAX_CALLS else None
-            put = self._put(self.macros[name], read[0], depth) if name is not None and read is not None else None
-            if read is None or put is None:
-                pieces.append(match.group())
-                continue
-            lines = data.count(b"\n", match.start(), read[1])
-            pieces += [put, b"\n" * max(lines - put.count(b"\n"), 0)]
-            position = read[1]
+            found = self._found(data, match, inside) if match["name"] is not None else None
+            end = match.end() if found is None else found.end
+            pieces += [data[position : match.start()], match.group() if found is None else found.put]
+            if found is not None:
+                lines = data.count(b"\n", match.start(), end) - found.put.count(b"\n")
+                pieces.append(b"\n" * max(lines, 0))
+            position = end
         return b"".join([*pieces, data[position:]])
 
-    def _put(self, macro: _Macro, args: Sequence[bytes], depth: int) -> bytes | None:
+    def _found(self, data: bytes, match: re.Match[bytes], inside: tuple[bytes, ...]) -> _Found | None:
+        """What stands for a name; None where it stays as it is written."""
+        name = match["name"]
+        macro = self.definitions.of(name)
+        if macro is None or name in inside or len(inside) >= MAX_DEPTH or self._is_full():
+            return None
+        given = _Arguments((), match.end()) if macro.params is None else _arguments(data, match.end())
+        if given is None:
+            return None
+        before = self.calling
+        put = self._put(macro, given.given, inside)
+        if put is None or self.calling == before:
+            return None
+        self.size += len(put)
+        return _Found(put, given.end)
+
+    def _put(self, macro: Replacement, given: Sequence[bytes], inside: tuple[bytes, ...]) -> bytes | None:
         """The body of a macro for some arguments; None for a wrong count of them."""
         self.calls += 1
-        bound = _bound(macro.params, args)
-        if bound is None or depth >= MAX_DEPTH:
+        self.calling += is_calling(macro)
+        written = _bound(macro.params or (), given)
+        if written is None:
             return None
-        used: set[bytes] = set()
-        put = _PART.sub(lambda part: _of_part(part, bound, used), macro.body)
-        return self._code(put, depth + 1)
+        bound = {name: _Argument(each, self._code(each, inside)) for name, each in written.items()}
+        return self._code(_Body(bound).of(macro.body), (*inside, macro.name))
 
 
-def _arguments(data: bytes, start: int) -> tuple[list[bytes], int] | None:
+class _Body:
+    """What a body stands for with some arguments; an argument brings its lines once."""
+
+    def __init__(self, bound: Mapping[bytes, _Argument]) -> None:
+        self.bound = bound
+        self.used: set[bytes] = set()
+
+    def of(self, body: bytes) -> bytes:
+        """Return the body with its parameters replaced."""
+        return _PART.sub(lambda part: self._part(part, body), body)
+
+    def _part(self, part: re.Match[bytes], body: bytes) -> bytes:
+        if part["joint"] is not None:
+            return b""
+        name = part["text"] or part["word"] or b""
+        value = self.bound.get(name)
+        if value is None:
+            return part.group()
+        if part["text"] is not None:
+            return b'"' + b" ".join(value.written.split()).replace(b"\\", b"\\\\").replace(b'"', b'\\"') + b'"'
+        is_joined = body[: part.start()].rstrip().endswith(b"##") or body[part.end() :].lstrip().startswith(b"##")
+        put = value.written if is_joined else value.put
+        put = b" ".join(put.split(b"\n")) if name in self.used else put
+        self.used.add(name)
+        return put
+
+
+def _arguments(data: bytes, start: int) -> _Arguments | None:
     """The arguments of a call and where it ends: only parentheses keep a comma from parting them."""
-    depth, begin, found = 0, start + 1, list[bytes]()
-    for token in _ARGUMENT.finditer(data, start):
+    opened = _OPENED.match(data, start)
+    if opened is None:
+        return None
+    depth, begin, found = 0, opened.end() + 1, list[bytes]()
+    for token in _ARGUMENT.finditer(data, opened.end()):
         sign = token["sign"]
         depth += (sign == b"(") - (sign == b")")
         if sign is not None and ((sign == b"," and depth == 1) or not depth):
             found.append(data[begin : token.start()])
             begin = token.end()
         if sign is not None and not depth:
-            return [_COMMENT.sub(_without, each).strip(b" \t\r") for each in found], token.end()
+            return _Arguments([_COMMENT.sub(_without, each).strip(b" \t\r") for each in found], token.end())
     return None
 
 
@@ -137,21 +203,8 @@ def _without(match: re.Match[bytes]) -> bytes:
     return b" " + b"\n" * match.group().count(b"\n") if match["comment"] is not None else match.group()
 
 
-def _bound(params: Sequence[bytes], args: Sequence[bytes]) -> Mapping[bytes, bytes] | None:
+def _bound(params: Sequence[bytes], given: Sequence[bytes]) -> Mapping[bytes, bytes] | None:
     named = params[:-1] if params[-1:] == (b"...",) else params
-    if len(args) < len(named) or (named is params and len(args) != max(len(params), 1)):
+    if len(given) < len(named) or (named is params and params and len(given) != len(params)):
         return None
-    return {**dict(zip(named, args, strict=False)), _REST: b", ".join(args[len(named) :])}
-
-
-def _of_part(part: re.Match[bytes], bound: Mapping[bytes, bytes], used: set[bytes]) -> bytes:
-    """What stands for a part of a body; an argument brings its lines once."""
-    name = part["text"] or part["word"] or b""
-    value = bound.get(name)
-    if value is None:
-        return part.group()
-    if part["text"] is not None:
-        return b'"' + b" ".join(value.split()).replace(b"\\", b"\\\\").replace(b'"', b'\\"') + b'"'
-    value = b" ".join(value.split(b"\n")) if name in used else value
-    used.add(name)
-    return value
+    return {**dict(zip(named, given, strict=False)), _REST: b", ".join(given[len(named) :])}

@@ -200,8 +200,16 @@ class Mention(_Fact, frozen=True):
     arguments: int = -1
 
 
+class Replacement(_Fact, frozen=True):
+    """What a macro stands for; `params` are None of one without parentheses, the last may be `...`."""
+
+    name: bytes
+    params: tuple[bytes, ...] | None
+    body: bytes
+
+
 class SourceFile(_Fact, frozen=True):
-    """All facts of one source file."""
+    """All facts of one source file; `exported` are the macros by which a C++ file that includes it calls something."""
 
     language: Literal["cpp", "python"]
     imports: tuple[Import, ...] = ()
@@ -213,3 +221,4 @@ class SourceFile(_Fact, frozen=True):
     macros: tuple[Macro, ...] = ()
     shebang: str = ""
     mentions: tuple[Mention, ...] = ()
+    exported: tuple[Replacement, ...] = ()

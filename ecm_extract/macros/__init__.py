@@ -1,0 +1,1 @@
+"""Macros of C++ that headers define for the files that include them."""

@@ -1,0 +1,97 @@
+"""Files that call macros of headers are read again with these: a parser sees one file at a time.
+
+Which headers a file sees is only known when all are read. A name that two of them give another meaning is none.
+Source: [cpp.replace] of the C++ standard.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from ecm_parsers.source.cpp_macro_definitions import HINT, is_calling, leading
+from ecm_parsers.source.facts import Replacement
+
+from ecm_extract.link.code.units import File
+from ecm_extract.link.owning.built import files_of
+from ecm_extract.macros.rows import HeaderRow, macros_of_headers
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.resolve.headers import Headers
+from ecm_extract.resolve.layout import layouts
+from ecm_extract.resolve.sight import Sight
+from ecm_extract.tree import Tree
+
+_Macros = tuple[Replacement, ...]
+_Known = Mapping[str, _Macros]
+
+
+@dataclass(frozen=True, slots=True)
+class _Wanted:
+    """A file that sees macros of headers, in the package that has it."""
+
+    package: PackageFacts
+    macros: _Macros
+
+
+def read_with_header_macros(packages: Sequence[PackageFacts], tree: Tree, rows: Iterable[HeaderRow]) -> None:
+    """Replace the facts of C++ files that call macros of headers.
+
+    Args:
+        packages: what was read, whose facts are replaced.
+        tree: where files are read.
+        rows: the user's, for headers that are not in the tree.
+    """
+    known = macros_of_headers(rows)
+    wanted = _wanted(packages, known) if any(_is_concerned(package, known) for package in packages) else {}
+    if not wanted:
+        return
+    from ecm_parsers.source.cpp import parse_cpp
+
+    for path, data in tree.read_many(list(wanted)):
+        found = wanted[path]
+        if _may_call(data, found.macros):
+            read = parse_cpp(data, found.macros)
+            if not any(entry.cut for entry in read.diagnostics):
+                found.package.sources[path] = read.facts
+
+
+def _is_concerned(package: PackageFacts, known: _Known) -> bool:
+    each_facts = package.sources.values()
+    return any(facts.exported or any(entry.module in known for entry in facts.imports) for facts in each_facts)
+
+
+def _wanted(packages: Sequence[PackageFacts], known: _Known) -> Mapping[str, _Wanted]:
+    files = files_of(packages)
+    headers = Headers(files, Sight(packages, files), layouts(packages))
+    owners = {path: package for package in packages for path in package.sources}
+    seen = {file.path: _agreed(_seen(file, headers.of(file), known)) for file in files if file.language == "cpp"}
+    return {path: _Wanted(owners[path], macros) for path, macros in sorted(seen.items()) if macros}
+
+
+def _seen(file: File, headers: Collection[File], known: _Known) -> Iterator[Replacement]:
+    """The macros of the headers that a file sees; of those that are not in the tree what is known of them."""
+    found = [entry.module for each in (file, *headers) for entry in each.facts.imports if entry.module in known]
+    for module in dict.fromkeys(found):
+        if not any(header.path.endswith(f"/{module}") for header in headers):
+            yield from known[module]
+    for header in headers:
+        yield from header.facts.exported
+
+
+def _agreed(macros: Iterable[Replacement]) -> _Macros:
+    """The macros of several headers, without those that are not the same in all of them."""
+    found: dict[bytes, set[Replacement]] = {}
+    for each in macros:
+        found.setdefault(each.name, set()).add(each)
+    return tuple([next(iter(same)) for _, same in sorted(found.items()) if len(same) == 1])
+
+
+def _may_call(data: bytes, macros: _Macros) -> bool:
+    """Whether a file names a macro that calls something, or one with a macro of its own behind it."""
+    calling = leading((each.name for each in macros if is_calling(each)), macros)
+    return _has_any(data, calling) or (HINT.search(data) is not None and _has_any(data, [each.name for each in macros]))
+
+
+def _has_any(data: bytes, names: Collection[bytes]) -> bool:
+    return bool(names) and re.search(rb"\b(?:" + rb"|".join(map(re.escape, names)) + rb")\b", data) is not None

@@ -1,0 +1,131 @@
+"""Macros of C++ that stand for code, and which of them a place in a file can mean.
+
+Source: [cpp.replace], [cpp.scope] of the C++ standard: a definition holds until it is undefined.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final, NamedTuple
+
+from ecm_parsers.source.cpp_directives import Directive
+from ecm_parsers.source.facts import Replacement
+
+HINT: Final = re.compile(
+    rb"\#[ \t]*define[ \t]+\w+(?:\(|[ \t]+(?:\\\r?\n[ \t]*|/\*(?:[^*]|\*(?!/))*\*/[ \t]*)*[A-Za-z_]\w*[ \t]*\()"
+)
+"""What a file has that defines a macro with parameters, or a list of their calls."""
+_DEFINED: Final = re.compile(rb"(?P<name>\w+)(?:\((?P<params>[^()]*)\))?(?P<body>.*)", re.DOTALL)
+_NAME: Final = re.compile(rb"\w+")
+_WORD: Final = re.compile(rb"[A-Za-z_]\w*")
+_CALLS: Final = re.compile(rb"(?:->|\.|::)\s*(?:template\s+)?[A-Za-z_]\w*(?:\s*\#\#\s*\w+)*\s*[(<]")
+_ROWS: Final = re.compile(rb"[A-Za-z_]\w*\s*\(.*\)\s*;?", re.DOTALL)
+"""What may be calls of macros one behind the other."""
+_ALONE: Final = re.compile(rb"(?:\A|[{};])\s*(\w+)\s+(?=[\w}])")
+"""A word where a statement stands, with the next one behind it."""
+MAX_BODY = 4_000
+"""A longer body, in bytes, is left as it is."""
+_Path = tuple[tuple[int, int], ...]
+"""The conditionals around a directive, each with which of its branches."""
+
+
+class _Held(NamedTuple):
+    definition: Replacement | None
+    path: _Path
+
+
+def replacement(rest: bytes) -> Replacement | None:
+    """Return what a `#define` says of its name; None for what is not followed: a long text, named variadic parameters.
+
+    Args:
+        rest: what stands behind `#define`, without comments.
+    """
+    match = _DEFINED.fullmatch(rest)
+    if match is None or b"__VA_OPT__" in rest or len(rest) > MAX_BODY:
+        return None
+    written = match["params"]
+    params = tuple([each.strip() for each in written.split(b",")]) if written and written.strip() else ()
+    if any(each.endswith(b"...") and each != b"..." for each in params):
+        return None
+    return Replacement(match["name"], None if written is None else params, match["body"].strip())
+
+
+def is_calling(definition: Replacement) -> bool:
+    """Tell whether a macro with parameters calls something through an object or a namespace."""
+    return definition.params is not None and _CALLS.search(definition.body) is not None
+
+
+class Definitions:
+    """The macros that hold at a place: directives are taken in their order.
+
+    Args:
+        brought: those of headers, which hold from the beginning.
+    """
+
+    def __init__(self, brought: Iterable[Replacement] = ()) -> None:
+        self._held: dict[bytes, list[_Held]] = {each.name: [_Held(each, ())] for each in brought}
+        self._path: list[tuple[int, int]] = []
+        self._groups = 0
+
+    def take(self, directive: Directive) -> None:
+        """Go past a directive."""
+        word = directive.word
+        if word.startswith(b"if"):
+            self._groups += 1
+            self._path.append((self._groups, 0))
+        elif word.startswith(b"el") and self._path:
+            group, branch = self._path[-1]
+            self._path[-1] = (group, branch + 1)
+        elif word == b"endif" and self._path:
+            self._path.pop()
+        elif word in {b"define", b"undef"}:
+            self._change(word, directive.rest)
+
+    def _change(self, word: bytes, rest: bytes) -> None:
+        name = _NAME.match(rest)
+        if name is None:
+            return
+        path = tuple(self._path)
+        before = self._held.get(name.group(), [])
+        if word == b"undef":
+            self._held[name.group()] = [each for each in before if each.path[: len(path)] != path]
+        else:
+            self._held[name.group()] = [*before, _Held(replacement(rest), path)]
+
+    def of(self, name: bytes) -> Replacement | None:
+        """Return what a name surely stands for; None for no macro, and for one that has several definitions."""
+        held = self._held.get(name, ())
+        first = held[0].definition if held else None
+        return first if all(each.definition == first for each in held) else None
+
+    def names(self) -> Iterator[bytes]:
+        """Yield the names that stand for something here."""
+        return (name for name, held in self._held.items() if held)
+
+
+def exported(definitions: Definitions) -> tuple[Replacement, ...]:
+    """Return the macros by which files that include this one may call something, by name.
+
+    With them are lists of rows, whose row each file defines for itself, and what puts a list where statements stand.
+    """
+    held = [found for name in definitions.names() if (found := definitions.of(name)) is not None]
+    names = leading({each.name for each in held if is_calling(each)}, held)
+    rows = leading({each.name for each in held if _is_rows(each)}, held)
+    needed = [each for each in held if each.name in names | rows or (names and _takes_rows(each))]
+    return tuple(sorted(needed, key=lambda each: each.name))
+
+
+def _is_rows(definition: Replacement) -> bool:
+    return definition.params is None and _ROWS.fullmatch(definition.body) is not None
+
+
+def _takes_rows(definition: Replacement) -> bool:
+    return any(each[1] in (definition.params or ()) for each in _ALONE.finditer(definition.body))
+
+
+def leading(wanted: Iterable[bytes], definitions: Sequence[Replacement]) -> set[bytes]:
+    """Return the wanted names, and those whose bodies name one of them, in any number of steps."""
+    words = {(each.name, each.body): set(_WORD.findall(each.body)) for each in definitions}
+    found = set(wanted)
+    while more := {name for (name, _), named in words.items() if name not in found and named & found}:
+        found |= more
+    return found

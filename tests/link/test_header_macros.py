@@ -1,0 +1,38 @@
+"""What macros of headers stand for is told of the files that call them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+GET = "#define GET(name, value) node->declare_parameter(#name, value)\n"
+SHORT = GET + "#define GET_RATE() GET(rate, 10)\n"
+OTHER = '#define GET(name, value) node->declare_parameter("other_" #name, value)\n'
+CALL = """
+#include <rclcpp/rclcpp.hpp>
+#include "{header}"
+int main() {{ auto node = std::make_shared<rclcpp::Node>("demo"); {call} }}
+"""
+CMAKE = "add_executable(d src/d.cpp)"
+ROWS = [
+    ("its header", {"src/get.hpp": GET}, "get.hpp", "GET(rate, 10);", ["rate"]),
+    ("its header includes it", {"src/get.hpp": GET, "src/all.hpp": '#include "get.hpp"\n'}, "all.hpp", "GET(rate, 10);", ["rate"]),
+    ("a macro that leads to it", {"src/get.hpp": SHORT}, "get.hpp", "GET_RATE();", ["rate"]),
+    ("a header that it does not include", {"src/get.hpp": GET, "src/all.hpp": ""}, "all.hpp", "GET(rate, 10);", []),
+    ("two headers differ", {"src/get.hpp": GET, "src/other.hpp": OTHER, "src/all.hpp": '#include "get.hpp"\n#include "other.hpp"\n'},
+     "all.hpp", "GET(rate, 10);", []),
+    ("undefined behind it", {"src/get.hpp": GET + "#undef GET\n"}, "get.hpp", "GET(rate, 10);", []),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("files", "header", "call", "expected"), [row[1:] for row in ROWS], ids=[row[0] for row in ROWS]
+)
+def test_calls_of_macros_of_headers(
+    workspace: Any, files: dict[str, str], header: str, call: str, expected: list[str]
+) -> None:
+    """A macro of a header that the file includes declares what it declares; one of two that differ is not known."""
+    source = CALL.format(header=header, call=call)
+    package = workspace.package({**files, "src/d.cpp": source, "CMakeLists.txt": CMAKE})
+    assert [entry.name for entry in package.interfaces() if entry.role == "parameter"] == expected
