@@ -10,6 +10,7 @@ from ecm_parsers.source.expr import Name, Op, Text
 
 from ecm_extract.infer.compute import UNKNOWN, formatted, operate, streamed
 from ecm_extract.link.folding import formats
+from ecm_extract.link.folding.buffers import cut
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import (
     Hole,
@@ -76,10 +77,11 @@ class OperatorFolder:
         return alternatives(value for operand in expr.operands[1:] for value in self.folder.fold(operand, env))
 
     def _percent(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        text, operand = expr.operands
-        if isinstance(text, Text):
-            return joined(self.folder.calls.folded_parts(formats.percent(text.value, operand), env))
-        return self._binary(expr, env)
+        text, operand, *room = expr.operands
+        if not isinstance(text, Text):
+            return self._binary(expr, env)
+        found = joined(self.folder.calls.folded_parts(formats.percent(text.value, operand), env))
+        return cut(found, self.folder.fold(room[0], env)) if room else found
 
     def _either(self, expr: Op, env: Env) -> tuple[Value, ...]:
         """`a or b` in Python is one of the two; in C++ it is a truth value."""

@@ -18,6 +18,13 @@ def extents(declarator: Node) -> str:
     return "[]" * len(_dimensions(declarator))
 
 
+def characters(reader: ExprReader, kind: Node, declarator: Node) -> Expr | None:
+    """Return how many characters an array of them has; None for anything else, and where braces or a text tell."""
+    sizes = [each.child_by_field_name("size") for each in _dimensions(declarator)]
+    size = sizes[0] if len(sizes) == 1 and reader.text(kind) == "char" else None
+    return reader.read(size) if size is not None and declarator.type == "array_declarator" else None
+
+
 def array_value(reader: ExprReader, kind: Node, declarator: Node, value: Node) -> Expr | None:
     """Return what an array begins with: what braces list, which may be less than it has; None for anything else.
 

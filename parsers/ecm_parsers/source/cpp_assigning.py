@@ -11,6 +11,8 @@ from ecm_parsers.source.cpp_writes import written
 from ecm_parsers.source.expr import Call, Expr, Name, Number, Op, Opaque
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from tree_sitter import Node
 
 _ASSIGNING = frozenset({"-=", "*=", "/=", "%=", "|=", "&=", "^=", "<<=", ">>="})
@@ -20,11 +22,18 @@ _ASSERTING = b"ROS_ASSERT"
 
 
 class Assigning:
-    """Writes the statements that the expressions of one body are."""
+    """Writes the statements that the expressions of one body are.
 
-    def __init__(self, expr: ExprReader, writer: StatementWriter) -> None:
+    Attributes:
+        expr: reads them.
+        writer: takes the statements.
+        buffers: how many characters the arrays of the body have, by their names.
+    """
+
+    def __init__(self, expr: ExprReader, writer: StatementWriter, buffers: Mapping[str, Expr]) -> None:
         self.expr = expr
         self.writer = writer
+        self.buffers = buffers
 
     def expression(self, node: Node) -> None:
         """Read an expression whose value nobody takes."""
@@ -60,7 +69,7 @@ class Assigning:
             self._stream(node, value)
         elif isinstance(value, Op) and value.op == ">>":
             self._streamed_out(node, value)
-        elif isinstance(value, Call) and (write := written(value)) is not None:
+        elif isinstance(value, Call) and (write := written(value, self.buffers)) is not None:
             self._set(node, *write)
         elif has_call(value):
             self.writer.add("do", node, value)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.cpp_arrays import array_value, extents
+from ecm_parsers.source.cpp_arrays import array_value, characters, extents
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_spacing import collapsed
@@ -26,12 +26,14 @@ class Binding:
         expr: reads what variables begin with.
         writer: takes the statements.
         named_lambda: called with each lambda that a variable is bound to, and the name of the variable.
+        buffers: how many characters the arrays of them have that are declared, by their names.
     """
 
     def __init__(self, expr: ExprReader, writer: StatementWriter, named_lambda: Callable[[str, Node], None]) -> None:
         self.expr = expr
         self.writer = writer
         self.named_lambda = named_lambda
+        self.buffers: dict[str, Expr] = {}
 
     def bind(self, declaration: Node, declarator: Node) -> None:
         """Read one declarator of a declaration."""
@@ -51,6 +53,9 @@ class Binding:
         if value is not None and value.type == "lambda_expression":
             self.named_lambda(name, value)
             return
+        size = characters(self.expr, kind, bound if value is not None else declarator)
+        if size is not None:
+            self.buffers[name] = size
         array = array_value(self.expr, kind, bound, value) if value is not None else None
         read = array if array is not None else self._initial(kind, value)
         qualifier = _qualifier(self.expr, declaration)

@@ -52,8 +52,8 @@ class BodyReader:
         self.writer = StatementWriter()
         self.functions: list[Function] = []
         self.local_names: list[Node] = []
-        self._assigning = Assigning(self.expr, self.writer)
         self._binding = Binding(self.expr, self.writer, self._named_lambda)
+        self._assigning = Assigning(self.expr, self.writer, self._binding.buffers)
         self._nesting = 0
         self._entering = False
 

@@ -2,20 +2,39 @@
 
 from __future__ import annotations
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Text
+from collections.abc import Mapping
+
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque, Text
 
 _PRINTERS = {"snprintf": 2, "std::snprintf": 2, "sprintf": 1, "std::sprintf": 1}
 """Functions that write text to their first argument, and where their format stands."""
 
 
-def written(call: Call) -> tuple[Expr, Expr] | None:
-    """Return (variable, value) of a call that only assigns."""
+def written(call: Call, buffers: Mapping[str, Expr]) -> tuple[Expr, Expr] | None:
+    """Return (variable, value) of a call that only assigns.
+
+    The value of a bounded printer is `Op("%", (format, arguments, room))`: the text is cut where its buffer ends.
+
+    Args:
+        call: to read.
+        buffers: how many characters arrays of them have, by their names.
+    """
     if isinstance(call.callee, Member):
         return _reset(call, call.callee)
     at = _PRINTERS.get(call.callee.id) if isinstance(call.callee, Name) else None
     if at is None or len(call.args) <= at or not isinstance(call.args[at], Text):
         return None
-    return call.args[0], Op("%", (call.args[at], Items(call.args[at + 1 :])))
+    room = tuple([_sized(each, buffers) for each in call.args[1:at]])
+    return call.args[0], Op("%", (call.args[at], Items(call.args[at + 1 :]), *room))
+
+
+def _sized(expr: Expr, buffers: Mapping[str, Expr]) -> Expr:
+    """A number of bytes, with the number of characters of an array in the place of its `sizeof`."""
+    if isinstance(expr, Op):
+        return Op(expr.op, tuple([_sized(each, buffers) for each in expr.operands]))
+    if isinstance(expr, Opaque) and expr.text.startswith("sizeof"):
+        return buffers.get(expr.text.removeprefix("sizeof").strip("() "), expr)
+    return expr
 
 
 def _reset(call: Call, callee: Member) -> tuple[Expr, Expr] | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ecm_parsers.source.cpp import parse_cpp
-from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Function, Statement
 
 
@@ -110,7 +110,7 @@ def test_printing_to_a_buffer_assigns_it() -> None:
     """`snprintf` and `sprintf` give their first argument the formatted text."""
     found = body('snprintf(a, sizeof(a), "x%d", i); sprintf(b, "%s", c()); snprintf(d, 1, format);')
     assert [(s.kind, s.target, s.value) for s in found[:2]] == [
-        ("set", Name("a"), Op("%", (Text("x%d"), Items((Name("i"),))))),
+        ("set", Name("a"), Op("%", (Text("x%d"), Items((Name("i"),)), Opaque("sizeof(a)")))),
         ("set", Name("b"), Op("%", (Text("%s"), Items((Call(Name("c"), (), line=1),))))),
     ]
     assert found[2].kind == "do"
