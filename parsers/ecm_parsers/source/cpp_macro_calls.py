@@ -134,7 +134,7 @@ class _Put:
         macro = self.definitions.of(name)
         if macro is None or name in inside or len(inside) >= MAX_DEPTH or self._is_full():
             return None
-        given = _Arguments((), match.end()) if macro.params is None else _arguments(data, match.end())
+        given = _given(macro, data, match.end())
         if given is None:
             return None
         before = self.calling
@@ -180,6 +180,14 @@ class _Body:
         put = b" ".join(put.split(b"\n")) if name in self.used else put
         self.used.add(name)
         return put
+
+
+def _given(macro: Replacement, data: bytes, start: int) -> _Arguments | None:
+    """What stands behind a name for its macro; None where it is not called."""
+    if macro.params is not None:
+        return _arguments(data, start)
+    is_used = not is_calling(macro) or _OPENED.match(data, start) is not None
+    return _Arguments((), start) if is_used else None
 
 
 def _arguments(data: bytes, start: int) -> _Arguments | None:

@@ -11,9 +11,10 @@ from ecm_parsers.source.cpp_directives import Directive
 from ecm_parsers.source.facts import Replacement
 
 HINT: Final = re.compile(
-    rb"\#[ \t]*define[ \t]+\w+(?:\(|[ \t]+(?:\\\r?\n[ \t]*|/\*(?:[^*]|\*(?!/))*\*/[ \t]*)*[A-Za-z_]\w*[ \t]*\()"
+    rb"\#[ \t]*define[ \t]+\w+(?:\(|[ \t]+(?:\\\r?\n[ \t]*|/\*(?:[^*]|\*(?!/))*\*/[ \t]*)*[A-Za-z_]\w*[ \t]*\("
+    rb"|[ \t][^\n\"']*(?:->|[A-Za-z_]\.[A-Za-z_]|\w[ \t]*<))"
 )
-"""What a file has that defines a macro with parameters, or a list of their calls."""
+"""What a file has that defines a macro with parameters, a list of their calls, or what is called."""
 _DEFINED: Final = re.compile(rb"(?P<name>\w+)(?:\((?P<params>[^()]*)\))?(?P<body>.*)", re.DOTALL)
 _NAME: Final = re.compile(rb"\w+")
 _WORD: Final = re.compile(rb"[A-Za-z_]\w*")
@@ -22,6 +23,9 @@ _ROWS: Final = re.compile(rb"[A-Za-z_]\w*\s*\(.*\)\s*;?", re.DOTALL)
 """What may be calls of macros one behind the other."""
 _ALONE: Final = re.compile(rb"(?:\A|[{};])\s*(\w+)\s+(?=[\w}])")
 """A word where a statement stands, with the next one behind it."""
+_CALLED: Final = re.compile(
+    rb"[^;{}()\"]*(?:->|\.)\s*(?:template\s+)?[A-Za-z_]\w*(?:\s*<[^;{}()]*>)?|[A-Za-z_]\w*\s*<[^;{}()]*>"
+)
 MAX_BODY = 4_000
 """A longer body, in bytes, is left as it is."""
 _Path = tuple[tuple[int, int], ...]
@@ -50,8 +54,10 @@ def replacement(rest: bytes) -> Replacement | None:
 
 
 def is_calling(definition: Replacement) -> bool:
-    """Tell whether a macro with parameters calls something through an object or a namespace."""
-    return definition.params is not None and _CALLS.search(definition.body) is not None
+    """Tell whether a macro calls something through an object or a namespace, or is called itself: `node->open<Type>`."""
+    if definition.params is None:
+        return _CALLED.fullmatch(definition.body) is not None
+    return _CALLS.search(definition.body) is not None
 
 
 class Definitions:

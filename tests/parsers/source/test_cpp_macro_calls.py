@@ -12,6 +12,8 @@ ROWS = [
     (GET, "int x = GET(f(a, b)) + 1;", "int x = node->get(f(a, b)) + 1;"),
     (GET, "GET(//what\n  a);", "node->get(\n  a);"),
     (GET + "#define ALL(x) a.run(GET(x))\n", "ALL(1);", "a.run(node->get(1));"),
+    ("#define OPEN node->create<a::T>\n", "OPEN(1); x = OPEN;", "node->create<a::T>(1); x = OPEN;"),
+    ("#define OPEN create<a::T>\n#define SURE(x) OPEN(x, 1)\n", "SURE(2);", "create<a::T>(2, 1);"),
     ("#define NONE() node->open()\n", "NONE();", "node->open();"),
     (GET, "GET(a, b); s = \"GET(a)\"; // GET(a)", "GET(a, b); s = \"GET(a)\"; // GET(a)"),
     ("#define JOIN(a) node->get_##a##_b()\n", "JOIN(x);", "node->get_x_b();"),
