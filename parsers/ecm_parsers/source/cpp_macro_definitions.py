@@ -54,7 +54,7 @@ def replacement(rest: bytes) -> Replacement | None:
 
 
 def is_calling(definition: Replacement) -> bool:
-    """Tell whether a macro calls something through an object or a namespace, or is called itself: `node->open<Type>`."""
+    """Tell whether a macro calls something through an object or a namespace, or is itself called: `node->open<T>`."""
     if definition.params is None:
         return _CALLED.fullmatch(definition.body) is not None
     return _CALLS.search(definition.body) is not None
