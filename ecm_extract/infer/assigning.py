@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import bare_names, is_plain
@@ -159,16 +159,56 @@ class Assigning:
             state = self.bind(item, part, state)
         return state
 
-    def escape(self, value: Expr | None) -> Set[str]:
-        """`p = &x`: from here on `x`, and what it refers to or is a part of, may change through `p`."""
-        address = not self.frame.python and isinstance(value, Op) and value.op == "&" and len(value.operands) == 1
-        key = self.frame.effects.key(value.operands[0]) if address and isinstance(value, Op) else ""
-        if key not in self.frame.effects.own:
-            return set()
-        names = self.memory.sharing.names_of(key)
-        found = self.memory.sharing.with_shared(names)
+    def escape(self, statement: Statement) -> Set[str]:
+        """`p = &x`: from here on `x`, and what it refers to or is a part of, may change through `p`.
+
+        So may what `p = &x[0]` and `p = x.begin()` point into, where the function writes through `p`.
+        """
+        found: set[str] = set()
+        for key in self._pointed(statement) if not self.frame.python else ():
+            found |= self.memory.sharing.with_shared(self.memory.sharing.names_of(key))
         self.memory.escaped |= found
         return found
+
+    def _pointed(self, statement: Statement) -> Set[str]:
+        value, effects = statement.value, self.frame.effects
+        key = effects.key(value.operands[0]) if _is_address(value) and isinstance(value, Op) else ""
+        if key:
+            return {key} & effects.own
+        pointer, outline = effects.key(statement.target), self.frame.outline
+        pointed = set(self._iterated(value)) & effects.own
+        followed = any(each.startswith(f"{pointer}.") for each in outline.changes)
+        return pointed if pointed and not followed and self._writes_through(pointer) else set()
+
+    def _writes_through(self, pointer: str) -> bool:
+        """Whether the body changes what a variable points to; `*p = x` is written as `p = x` in its facts."""
+        if pointer in self.frame.outline.written_through:
+            return True
+        sets = (entry for entry in self.frame.env.func.fact.body if entry.kind == "set")
+        own = (entry for entry in sets if self.frame.effects.key(entry.target) == pointer)
+        return any(not self._moves(entry.value, pointer) for entry in own)
+
+    def _moves(self, value: Expr | None, pointer: str) -> bool:
+        """Whether a value is another place to point to: a step from this one, or what a call makes of one."""
+        if isinstance(value, Op) and value.op in {"+", "-"}:
+            first, *rest = value.operands
+            return self.frame.effects.key(first) == pointer and not any(isinstance(each, Text) for each in rest)
+        return any(self._iterated(value)) or any(self.frame.effects.key(each) == pointer for each in _arguments(value))
+
+    def _iterated(self, value: Expr | None) -> Iterator[str]:
+        """Yield the variables into which parts of a value point: `&x[0]`, `x.begin() + 1`, `find(x.begin(), y)`."""
+        effects = self.frame.effects
+        if _is_address(value) and isinstance(value, Op):
+            yield effects.root(value.operands[0])
+        elif isinstance(value, Op) and value.op in {"+", "-"}:
+            for operand in value.operands:
+                yield from self._iterated(operand)
+        elif isinstance(value, Call):
+            callee = value.callee
+            if isinstance(callee, Member) and callee.name in effects.calls.iterators | effects.calls.searching:
+                yield effects.root(callee.base)
+            for arg in value.args:
+                yield from self._iterated(arg)
 
     def element(self, each: Statement, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to any element."""
@@ -178,6 +218,14 @@ class Assigning:
         """Return the state in which a loop has bound its variable to an element that is known."""
         own = item.env.func is self.frame.env.func  # the place of a statement means something in its function only
         return self.bind(target, Held("value", "", item.expr, item.env, at if own else -1), state)
+
+
+def _arguments(value: Expr | None) -> tuple[Expr, ...]:
+    return value.args if isinstance(value, Call) else ()
+
+
+def _is_address(value: Expr | None) -> bool:
+    return isinstance(value, Op) and value.op == "&" and len(value.operands) == 1
 
 
 def _parts(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr, Held]]:

@@ -95,8 +95,9 @@ class Interpreter:
         """In C++ a variable of a block hides one of the same name around it, until the block ends."""
         if self.frame.python or self._nesting == 0 or before is None or state is None:
             return state
-        steps = (self.frame.body[step] for step in block if isinstance(step, int))
-        lets = (entry for entry in steps if entry.kind == "let")
+        places = [step.each if isinstance(step, Loop) else step for step in block]
+        steps = (self.frame.body[step] for step in places if isinstance(step, int) and step >= 0)
+        lets = (entry for entry in steps if entry.kind in {"let", "each"})
         hidden = {key for entry in lets for key in self.frame.outline.bound_keys(entry.target)}
         return state.having({key: before.holds[key] for key in hidden if key in before.holds})
 
@@ -182,5 +183,5 @@ class Interpreter:
         """The state after a statement has given its target a value."""
         if statement.kind == "do":
             return state
-        state = self.memory.lost(state, self.assigning.escape(statement.value))
+        state = self.memory.lost(state, self.assigning.escape(statement))
         return self.assigning.assign(statement, at, env, self.assigning.shared_change(statement, state))

@@ -79,6 +79,14 @@ class Outline:
         return declared + Counter(parameter.name for parameter in self.func.fact.params)
 
     @cached_property
+    def written_through(self) -> Set[str]:
+        """The variables of C++ by which the body changes what they point to or consist of."""
+        targets = [entry.target for entry in self.func.fact.body if entry.kind == "set"]
+        found = {self.effects.root(each) for each in targets if not self.effects.key(each)}
+        effects = (effect for at in range(len(self.func.fact.body)) for effect in self.effects.of(at))
+        return frozenset(found | {effect.key for effect in effects if effect.kind != "handed"})
+
+    @cached_property
     def rebound(self) -> Set[str]:
         """The variables of Python that come to mean another object; `x += y` may change the one that they mean."""
         if not self.python:

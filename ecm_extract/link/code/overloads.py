@@ -82,8 +82,9 @@ def _variable_fit(name: str, wanted: str, caller: Func) -> int:
     declared = caller.written_types.get(name, member.type if member is not None else "")
     if not declared or plain(declared) == "auto" or plain(declared) in caller.fact.template:
         return 0
-    actual = plain(declared).rsplit("::", 1)[-1]
     last = wanted.rsplit("::", 1)[-1]
+    is_text = declared.startswith("char[") and last != "char"
+    actual = "string" if is_text else plain(declared).rsplit("::", 1)[-1]
     if actual == last:
         return 2
     return (

@@ -22,14 +22,14 @@ def text_arguments(call: Invocation) -> list[Expr]:
 
 def is_text(expr: Expr, func: Func) -> bool:
     """Tell whether an expression of a function is surely text: by its form, or by what is declared of a variable."""
-    written = _written(expr, func)
+    written = written_type(expr, func)
     if written:
         return is_text_type(written)
     return isinstance(expr, Text | Template) or (isinstance(expr, Op) and expr.op in _JOINED)
 
 
 def _may_be(expr: Expr, func: Func) -> bool:
-    return isinstance(expr, Name | Member | Call) and expr != Name("this") and not _written(expr, func)
+    return isinstance(expr, Name | Member | Call) and expr != Name("this") and not written_type(expr, func)
 
 
 def is_text_type(written: str) -> bool:
@@ -37,8 +37,8 @@ def is_text_type(written: str) -> bool:
     return last_name(plain(written.removeprefix("const ").rstrip("&* "))) in _TYPES
 
 
-def _written(expr: Expr, func: Func) -> str:
-    """The declared type of a variable, a parameter or a member of the own class; empty when it is not known here."""
+def written_type(expr: Expr, func: Func) -> str:
+    """Return the declared type of a variable, a parameter or a member of the own class; empty where it is not known."""
     if isinstance(expr, Name) and expr.id in func.written_types:
         return func.written_types[expr.id]
     name = expr.id if isinstance(expr, Name) else _own(expr)

@@ -1,24 +1,95 @@
-"""Numbers as the declared type of a variable holds them."""
+"""Numbers as the declared type of a variable of C++ holds them.
+
+Source: [conv.integral], [conv.fpint], [conv.bool] of the C++ standard; an `int` has 32 bits and a `long` 64, as on the
+platforms of REP 2000. A signed number that does not fit is wrapped, as every compiler for these does.
+"""
 
 from __future__ import annotations
 
+import struct
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any, Final
+
+from ecm_parsers.numbers import truncated
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.code.numbers import NUMBERS, as_number
-from ecm_extract.link.code.spelling import plain
-from ecm_extract.link.running.values import Value, constant
+from ecm_extract.infer.compute import UNKNOWN
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.running.values import Value, constant, unknown
+
+_BITS: Final[Mapping[str, int]] = MappingProxyType(
+    {"char": 8, "short": 16, "int": 32, "long": 64, "size_t": 64, "ssize_t": 64, "uint": 32, "ushort": 16, "uchar": 8}
+    | {f"{sign}int{bits}_t": bits for sign in ("", "u") for bits in (8, 16, 32, 64)}
+)
+_NO_SIGN: Final = frozenset({"size_t", "uint", "ushort", "uchar"} | {f"uint{bits}_t" for bits in (8, 16, 32, 64)})
+_OTHER: Final = frozenset("*[<")
+"""What stands in the types of pointers, arrays and templates."""
+_WORDS: Final = frozenset({"unsigned", "signed", "const", "constexpr", "static", "volatile"})
+CHARACTERS: Final = frozenset({"char", "int8_t", "uint8_t", "uchar"})
+"""Types whose numbers a stream writes as characters."""
 
 
-def as_declared(values: tuple[Value, ...], statement: Statement | None) -> tuple[Value, ...]:
-    """Return values as a declaration with a number type holds them: `double x = 1` is 1.0."""
-    name = plain(statement.type).rsplit("::", 1)[-1] if statement is not None and statement.kind == "let" else ""
-    if name not in NUMBERS:
-        return values
-    return tuple([_cast(value, name) for value in values])
+def as_declared(values: tuple[Value, ...], statement: Statement | None, func: Func) -> tuple[Value, ...]:
+    """Return values as the type of the variable that a statement gives them to holds them: `double x = 1` is 1.0."""
+    name = type_of_number(_type_given(statement, func)) if statement is not None else ""
+    return tuple([_cast(value, name) for value in values]) if name else values
+
+
+def _type_given(statement: Statement, func: Func) -> str:
+    """The declared type of the variable that a statement of C++ gives something, empty for none."""
+    if func.file.language != "cpp":
+        return ""
+    name = getattr(statement.target, "id", "")
+    return statement.type if statement.kind == "let" else func.written_types.get(name, "")
+
+
+def type_of_number(written: str) -> str:
+    """Return a type of numbers in its short form: `unsigned int` is `uint`; empty for other types."""
+    if _OTHER.intersection(written):
+        return ""
+    words = [word.rsplit("::", 1)[-1] for word in written.replace("&", " ").split()]
+    kinds = [word for word in words if word not in _WORDS]
+    sign = "u" if "unsigned" in words else ""
+    if not kinds:
+        return f"{sign}int" if {"unsigned", "signed"} & set(words) else ""
+    first = "long" if "long" in kinds and "double" not in kinds else kinds[-1]
+    if first in {"float", "double", "bool"}:
+        return first
+    found = {"long": "size_t"}.get(first, f"u{first}") if sign else first
+    return found if found in _BITS else ""
 
 
 def _cast(value: Value, name: str) -> Value:
-    data = as_number(value.data, name)
+    data = held_as(value.data, name)
+    if data is UNKNOWN:
+        return unknown("value")
     return (
         value if data is value.data else constant(data)._replace(confidence=value.confidence, template=value.template)
     )
+
+
+def held_as(data: Any, name: str) -> Any:
+    """Return a number as a type holds it; other data as they are, UNKNOWN for what becomes a character."""
+    if not isinstance(data, int | float):
+        return data
+    if name == "bool":
+        return bool(data)
+    if name in {"float", "double"}:
+        return _fraction(float(data), name)
+    whole = truncated(data)
+    if whole is None or name == "char":
+        return UNKNOWN
+    bits = _BITS[name]
+    wrapped = whole % 2**bits
+    wrapped -= 2**bits if name not in _NO_SIGN and wrapped >= 2 ** (bits - 1) else 0
+    return data if type(data) is int and wrapped == data else wrapped
+
+
+def _fraction(data: float, name: str) -> Any:
+    if name == "double":
+        return data
+    try:
+        return struct.unpack("f", struct.pack("f", data))[0]
+    except OverflowError:
+        return UNKNOWN

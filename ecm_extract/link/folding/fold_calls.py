@@ -20,6 +20,7 @@ from ecm_extract.link.code.naming_calls import gives_name, is_resolver
 from ecm_extract.link.code.numbers import NUMBERS, as_number
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.folding import formats
+from ecm_extract.link.folding.declared_numbers import held_as, type_of_number
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.running.env import Env, invocation_of
@@ -153,7 +154,7 @@ class CallFolder:
         python = env.func.file.language == "python"
         if call.path in {"str", "std::to_string", "String"}:
             return self._shown_items(call, env) or tuple([self._text_of(value, python) for value in values])
-        return tuple([_converted(value, call.path) for value in values]) if call.path in NUMBERS else values
+        return tuple([_converted(value, call.path, python) for value in values]) if call.path in NUMBERS else values
 
     def _shown_items(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """`str(names)` of a list is nothing that anybody names things with."""
@@ -309,8 +310,10 @@ def _asked(expr: Call, env: Env) -> tuple[object, ...]:
     return "call", expr, env.func, env.at, env.state, tuple(env.args.values())
 
 
-def _converted(value: Value, kind: str) -> Value:
-    data = as_number(value.data, kind)
+def _converted(value: Value, kind: str, python: bool) -> Value:
+    data = as_number(value.data, kind) if python else held_as(value.data, type_of_number(kind))
+    if data is UNKNOWN:
+        return unknown(kind)
     return value if data is value.data else constant(data)._replace(confidence="folded")
 
 

@@ -111,7 +111,7 @@ class HeldFolder:
         statement = _statement(held)
         if statement is not None and is_name_of_node(inner.func, statement):
             return (node_name(),)
-        values = as_declared(demoted(self.folder.fold(held.expr, inner)), statement)
+        values = as_declared(demoted(self.folder.fold(held.expr, inner)), statement, inner.func)
         return self._by_default(held, env) or values if all(map(is_setting, values)) else values
 
     def _element(self, held: Held, env: Env) -> tuple[Value, ...]:

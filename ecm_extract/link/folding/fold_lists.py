@@ -26,6 +26,7 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.open_lists import OpenLists
 from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
+from ecm_extract.link.folding.sorted_containers import in_their_order
 from ecm_extract.link.folding.subscripts import character_of, part_of, slice_of
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import (
@@ -144,7 +145,9 @@ class ListFolder:
             return self._called(expr, inner)
         if isinstance(expr, Op):
             return self._of_op(expr, inner)
-        return self._of_variable(expr, inner) if isinstance(expr, Name | Member) else None
+        if not isinstance(expr, Name | Member):
+            return None
+        return in_their_order(self._of_variable(expr, inner), expr, env, self.folder)
 
     def _spread(self, expr: Items, env: Env) -> list[Bound] | None:
         """The elements of a display, `*spread` ones in place."""

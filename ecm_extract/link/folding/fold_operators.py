@@ -55,12 +55,14 @@ class OperatorFolder:
             return groups[0]
         if len(groups) == 2 and any(value.data is not None for group in groups for value in group):
             return self._added(groups, env)
+        if env.func.file.language == "cpp" and len(groups) > 2:
+            groups = [self.folder.streams.values(operand, env) for operand in expr.operands]
         return joined(self._written(group, env) for group in groups)
 
     def _added(self, groups: list[tuple[Value, ...]], env: Env) -> tuple[Value, ...]:
         python = env.func.file.language == "python"
         if not python and any(value.data is None and _has_text(value) for group in groups for value in group):
-            return joined(self._written(group, env) for group in groups)
+            return (unknown("value"),)  # a number that is added to a text moves where it begins, or is a character
         return self.folder.combined(groups, lambda data: operate("+", data[0], data[1], python), "value")
 
     def _written(self, values: tuple[Value, ...], env: Env) -> tuple[Value, ...]:
@@ -111,6 +113,17 @@ class OperatorFolder:
 
     def _subscript(self, expr: Op, env: Env) -> tuple[Value, ...]:
         return self.folder.lists.elements(expr.operands[0], env, expr.operands[1])
+
+    def _address(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        """What a pointer points to; behind one to a character stands the rest of its text."""
+        if len(expr.operands) > 1:
+            return (unknown("value"),)
+        pointed = expr.operands[0]
+        found = self.folder.fold(pointed, env)
+        of_text = (
+            isinstance(pointed, Op) and pointed.op == "[]" and self.folder.lists.items(pointed.operands[0], env) is None
+        )
+        return (unknown("value"),) if of_text and any(_has_text(value) for value in found) else found
 
     def _formatted(self, expr: Op, env: Env) -> tuple[Value, ...]:
         spec = expr.operands[1]
@@ -178,8 +191,6 @@ _OPERATORS: Final[Mapping[str, _Work]] = MappingProxyType(
         "-": OperatorFolder._minus,
         "[]": OperatorFolder._subscript,
         "format": OperatorFolder._formatted,
-        "&": lambda own, expr, env: (
-            own.folder.fold(expr.operands[0], env) if len(expr.operands) == 1 else (unknown("value"),)
-        ),
+        "&": OperatorFolder._address,
     }
 )

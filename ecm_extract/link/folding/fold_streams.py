@@ -13,9 +13,10 @@ from ecm_extract.infer.held import Held
 from ecm_extract.infer.streaming import PLAIN, StreamFormat, written
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Func
+from ecm_extract.link.folding.declared_numbers import CHARACTERS, type_of_number
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.running.env import Env
-from ecm_extract.link.running.values import Value, data_in, is_proved, joined
+from ecm_extract.link.running.values import Value, data_in, is_proved, joined, unknown
 from ecm_extract.shipped import shipped, shipped_names
 
 if TYPE_CHECKING:
@@ -64,8 +65,15 @@ class StreamFolder:
             how = replace(how, width=0) if how is not None else None
         return joined(groups)
 
-    def _piece(self, operand: Expr, how: StreamFormat | None, env: Env) -> tuple[Value, ...]:
+    def values(self, operand: Expr, env: Env) -> tuple[Value, ...]:
+        """Return what an operand is that is written; a byte is written as a character."""
         values = self.folder.fold(operand, env)
+        if isinstance(operand, Name) and type_of_number(env.func.written_types.get(operand.id, "")) in CHARACTERS:
+            return tuple([value if value.data is None else unknown("value") for value in values])
+        return values
+
+    def _piece(self, operand: Expr, how: StreamFormat | None, env: Env) -> tuple[Value, ...]:
+        values = self.values(operand, env)
         if how is not None and not how.width and all(value.data is None for value in values):
             return values
         return self.folder.combined([values], lambda data: UNKNOWN if how is None else written(data[0], how), "value")

@@ -53,13 +53,14 @@ class Binding:
         if value is not None and value.type == "lambda_expression":
             self.named_lambda(name, value)
             return
-        size = characters(self.expr, kind, bound if value is not None else declarator)
+        array_of = bound if value is not None else declarator
+        size = characters(self.expr, kind, array_of)
         if size is not None:
             self.buffers[name] = size
         array = array_value(self.expr, kind, bound, value) if value is not None else None
         read = array if array is not None else self._initial(kind, value)
         qualifier = _qualifier(self.expr, declaration)
-        written = qualifier + self.expr.type_text(kind) + _MARKS.get(bound.type, "") + extents(bound)
+        written = qualifier + self.expr.type_text(kind) + _MARKS.get(bound.type, "") + extents(array_of)
         kept = not qualifier and _is_static(self.expr, declaration)
         self.writer.add("let", declarator, read, Name(name), written, kept)
 

@@ -10,6 +10,7 @@ from ecm_parsers.source.cpp_binding import Binding
 from ecm_parsers.source.cpp_captures import capturing, initial_captures
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
+from ecm_parsers.source.cpp_heads import hides, macro_test
 from ecm_parsers.source.cpp_lambdas import (
     DeclaredFunctions,
     as_function,
@@ -70,7 +71,12 @@ class BodyReader:
             for child in node.named_children:
                 self.read(child)
         elif (step := _STEPS.get(kind)) is not None:
+            hiding = hides(self.expr, node, self.writer.statements)
+            if hiding:
+                self.writer.begin()
             step(self, node)
+            if hiding:
+                self.writer.step(Branch(_TRUE, self.writer.end()))
         self._nesting -= 1
 
     def _expressions(self, node: Node) -> None:
@@ -161,7 +167,7 @@ class BodyReader:
         other = node.child_by_field_name("alternative")
         named = node.child_by_field_name("name") or node.child_by_field_name("condition")
         rest = [child for child in node.named_children if child not in (other, named)]
-        test = self._macro_test(node, named)
+        test = macro_test(self.expr, node, named)
         then = self._inner(*rest, deeper=0)
         otherwise = self._inner(other, deeper=0)
         if node.type == "preproc_else":
@@ -169,12 +175,6 @@ class BodyReader:
                 self.writer.step(step)
         else:
             self.writer.step(Branch(test, then, otherwise))
-
-    def _macro_test(self, node: Node, named: Node | None) -> Expr:
-        """What a directive asks: `#if ` and the macro, or the condition as written."""
-        test = Opaque(f"#if {self.expr.text(named)[:80] if named is not None else 'else'}")
-        first = node.children[0].type if node.children else ""
-        return Op("!", (test,)) if first.endswith("ifndef") else test
 
     def _switch(self, node: Node) -> None:
         subject = self._condition(node.child_by_field_name("condition"))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from typing import TYPE_CHECKING
 
 from ecm_parsers.numbers import integer, real
@@ -13,7 +14,21 @@ if TYPE_CHECKING:
 
     from ecm_parsers.source.cpp_expr import ExprReader
 
-_ESCAPES = {"n": "\n", "t": "\t", "r": "\r", "0": "\0", "\\": "\\", '"': '"', "'": "'"}
+_ESCAPES = {
+    "n": "\n",
+    "t": "\t",
+    "r": "\r",
+    "a": "\a",
+    "b": "\b",
+    "f": "\f",
+    "v": "\v",
+    "\\": "\\",
+    '"': '"',
+    "'": "'",
+    "?": "?",
+}
+_CODE = re.compile(r"\\(?:x(?P<hex>[0-9a-fA-F]{1,8})|[uU](?P<unicode>[0-9a-fA-F]{4,8})|(?P<octal>[0-7]{1,3}))")
+_OCTAL = re.compile(r"0[0-7']+[uUlL]*")
 _DIGITS = re.compile(r"^-?[\d'.]+(?:[eE][+-]?\d+)?")
 
 
@@ -26,12 +41,21 @@ def _string_value(reader: ExprReader, node: Node) -> str:
     parts = []
     for child in node.named_children:
         if child.type == "escape_sequence":
-            parts.append(_ESCAPES.get(reader.text(child)[1:], reader.text(child)))
+            parts.append(_unescaped(reader.text(child)))
         elif child.type in {"string_content", "character", "raw_string_content"}:
             parts.append(reader.text(child))
         elif child.type in {"string_literal", "raw_string_literal"}:
             parts.append(_string_value(reader, child))
     return "".join(parts)
+
+
+def _unescaped(text: str) -> str:
+    """What an escape sequence stands for; what is none stays as it is written. Source: [lex.ccon]."""
+    code = _CODE.fullmatch(text)
+    if code is None:
+        return _ESCAPES.get(text[1:], text)
+    number = int(code["octal"], 8) if code["octal"] else int(code["hex"] or code["unicode"], 16)
+    return chr(number) if number < 0x80 or (code["unicode"] and number <= sys.maxunicode) else text
 
 
 def concatenated(reader: ExprReader, node: Node) -> Expr:
@@ -52,6 +76,8 @@ def number(reader: ExprReader, node: Node) -> Expr:
 def _number(text: str) -> int | float | None:
     if text[:2].lower() in {"0x", "0b"}:
         return integer(text.rstrip("uUlL").replace("'", ""), 0)
+    if _OCTAL.fullmatch(text):
+        return integer(text.rstrip("uUlL").replace("'", ""), 8)
     match = _DIGITS.match(text)
     digits = match.group().replace("'", "") if match else text
     return real(digits) if any(c in digits for c in ".eE") else integer(digits)
