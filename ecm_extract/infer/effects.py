@@ -303,7 +303,10 @@ def bare_names(expr: Expr | None) -> Iterator[Expr]:
 def shared_names(expr: Expr | None) -> Iterator[Expr]:
     """Yield the variables that an expression of Python is, holds, or is a part of: `[a]`, `pair[0]`, `table.get(x)`."""
     yield from bare_names(expr)
-    if isinstance(expr, Op) and expr.op in {"[]", "?:", "||", "&&"}:
+    if isinstance(expr, Op) and expr.op in {"+", "*"}:
+        for display in expr.operands:
+            yield from bare_names(display) if isinstance(display, Items) else ()
+    elif isinstance(expr, Op) and expr.op in {"[]", "?:", "||", "&&"}:
         for operand in expr.operands[: 1 if expr.op == "[]" else None]:
             yield from shared_names(operand)
     elif isinstance(expr, Call) and isinstance(expr.callee, Member):

@@ -13,7 +13,8 @@ from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name
 
 from ecm_extract.link.code.calls import Invocation, Step, invocation, invocations
 from ecm_extract.link.code.units import Func
-from ecm_extract.link.running.env import Env, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Env, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder

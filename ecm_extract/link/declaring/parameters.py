@@ -12,7 +12,8 @@ from ecm_extract.link.code.overloads import NO, score
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.declaring.forms import Form, FormTable
 from ecm_extract.link.declaring.match import name_argument, positions
-from ecm_extract.link.running.env import Env, bind
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import Value
 
 Home = Cls | File | str

@@ -31,8 +31,9 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.call_index import call_index
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.interfaces.types import Types
+from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.dead_code import DeadCode
-from ecm_extract.link.running.env import Env, Instance, bind
+from ecm_extract.link.running.env import Env, Instance
 from ecm_extract.link.running.values import Value
 
 _LOADS_ALL = "getDeclaredClasses"

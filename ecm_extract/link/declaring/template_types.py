@@ -14,7 +14,8 @@ from ecm_extract.link.code.templates import unified, unqualified
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.running.env import Env, bind
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Env
 
 
 class TemplateTypes:

@@ -14,7 +14,8 @@ from ecm_extract.link.declaring.making import Making
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.running.env import Env, Instance, bind
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Env, Instance
 
 MAX_WAYS = 1000
 """Ways to one form beyond which the states of the calls between are not told apart."""

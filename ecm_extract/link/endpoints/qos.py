@@ -20,7 +20,8 @@ from ecm_extract.link.endpoints.qos_values import milliseconds, policy_word
 from ecm_extract.link.endpoints.qos_variables import QosVariables
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.running.env import Env, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Env, invocation_of
 
 _FLAGS: dict[str, tuple[str, str]] = {
     "reliable": ("reliability", "reliable"),

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+from ecm_parsers.numbers import integer, real
 from ecm_parsers.source.expr import (
     Call,
     Expr,
@@ -311,10 +312,23 @@ def _asked(expr: Call, env: Env) -> tuple[object, ...]:
 
 
 def _converted(value: Value, kind: str, python: bool) -> Value:
+    given = data_in(value) if value.data is None else value.data
+    if isinstance(given, str):
+        return _parsed(value, given, kind) if python else unknown(kind)
     data = as_number(value.data, kind) if python else held_as(value.data, type_of_number(kind))
     if data is UNKNOWN:
         return unknown(kind)
     return value if data is value.data else constant(data)._replace(confidence="folded")
+
+
+def _parsed(value: Value, text: str, kind: str) -> Value:
+    """The number that a text of Python spells: `int("5")`."""
+    found = real(text) if NUMBERS[kind] == "double" else integer(text.strip())
+    return (
+        unknown(kind)
+        if found is None
+        else constant(found)._replace(confidence=value.confidence, template=value.template)
+    )
 
 
 def _filled(data: list[object]) -> object:

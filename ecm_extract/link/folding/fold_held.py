@@ -17,7 +17,8 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.declared_numbers import as_declared
 from ecm_extract.link.folding.fields_left import field_left
 from ecm_extract.link.folding.fold_changes import STREAMS, ChangeFolder
-from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
 from ecm_extract.link.running.own_names import node_name
 from ecm_extract.link.running.values import (
     Value,

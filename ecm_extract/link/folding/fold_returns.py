@@ -16,7 +16,8 @@ from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.fold_closures import ClosureFolder
 from ecm_extract.link.folding.names_of_nodes import told_by_node
 from ecm_extract.link.folding.raises import Raises
-from ecm_extract.link.running.env import Bound, Env, Instance, bind
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Bound, Env, Instance
 from ecm_extract.link.running.object_states import is_own
 from ecm_extract.link.running.own_names import below_namespace
 from ecm_extract.link.running.values import (

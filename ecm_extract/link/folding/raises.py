@@ -18,7 +18,8 @@ from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.folding.raise_checks import CHECKS, Asked
-from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder

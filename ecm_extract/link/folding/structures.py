@@ -15,7 +15,8 @@ from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, makers_of, named_parts
-from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, bind
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
 from ecm_extract.link.running.values import Value, alternatives, demoted, parameter, unknown
 
 if TYPE_CHECKING:

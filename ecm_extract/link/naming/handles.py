@@ -16,7 +16,8 @@ from ecm_extract.link.naming.carriers import carriers
 from ecm_extract.link.naming.given_handles import given_namespace
 from ecm_extract.link.naming.host_arguments import HostArguments
 from ecm_extract.link.naming.sole_objects import SoleObjects
-from ecm_extract.link.running.env import Bound, Env, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Bound, Env, invocation_of
 from ecm_extract.link.running.own_names import node_namespace
 from ecm_extract.link.running.values import Value, is_known, joined, literal, unknown
 

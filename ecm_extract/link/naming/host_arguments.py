@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.declaring.sites import Sites
-from ecm_extract.link.running.env import Bound, Env, bind
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.object_states import is_own
 
 

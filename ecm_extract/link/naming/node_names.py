@@ -16,7 +16,8 @@ from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.module_kinds import is_node_base
-from ecm_extract.link.running.env import Bound, Env, Instance, bind
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Bound, Env, Instance
 from ecm_extract.link.running.values import Value, is_known, unknown
 
 _INITS = {"ros::init": 2, "rospy.init_node": 0, "rclpy.create_node": 0}

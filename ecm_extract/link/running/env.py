@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Items
+from ecm_parsers.source.expr import Call, Expr
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import State
@@ -103,24 +103,6 @@ class Env:
         """Qualified scope of the function, the function itself included."""
         fact = self.func.fact
         return f"{fact.scope}::{fact.name}" if fact.scope else fact.name
-
-
-def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
-    """Return what the parameters of `callee` are at a call: arguments, keywords, then defaults."""
-    bound: dict[str, Bound] = {}
-    rest = list(call.args)
-    for parameter in callee.params:
-        if parameter.name.startswith("*"):
-            bound[parameter.name.lstrip("*")] = Bound(Items(tuple(rest)), env)
-            break
-        if rest:
-            bound[parameter.name] = Bound(rest.pop(0), env)
-    for name, value in call.keywords:
-        bound[name] = Bound(value, env)
-    if len(bound) < len(callee.params):
-        for name, default in callee.defaults:
-            bound.setdefault(name, Bound(default, Env(callee, depth=env.depth)))
-    return bound
 
 
 def invocation_of(expr: Call, env: Env) -> Invocation:

@@ -12,7 +12,8 @@ from ecm_extract.infer.held import MAX_WAYS, Held, State
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import calls_in, children
-from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.lasting import Lasting
 from ecm_extract.link.running.runs_once import is_main
 

@@ -16,7 +16,8 @@ from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.inner import function_named
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children
-from ecm_extract.link.running.env import Bound, Env, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Bound, Env, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder

@@ -11,7 +11,8 @@ from ecm_extract.infer.effects import calls_of
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.handing_on import THIS
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.running.env import Env, Instance, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Env, Instance, invocation_of
 from ecm_extract.link.running.object_states import is_own
 from ecm_extract.link.running.seen_from_outside import leaves_members
 

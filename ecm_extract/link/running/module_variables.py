@@ -6,7 +6,8 @@ from collections.abc import Hashable, Iterator
 from typing import TYPE_CHECKING
 
 from ecm_extract.link.code.units import File, Func
-from ecm_extract.link.running.env import Env, bind
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import Value, alternatives, circular, is_circle, setting, unknown
 
 if TYPE_CHECKING:

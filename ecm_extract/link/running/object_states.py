@@ -10,7 +10,8 @@ from ecm_parsers.source.expr import Call, Expr
 from ecm_extract.infer.held import MAX_WAYS, Held, State
 from ecm_extract.link.code.handing_on import THIS
 from ecm_extract.link.code.units import Cls
-from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
 from ecm_extract.link.running.known_callers import KnownCallers
 from ecm_extract.link.running.objects import is_super
 

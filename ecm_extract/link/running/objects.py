@@ -15,7 +15,8 @@ from ecm_extract.link.code.pointed import pointed as pointed_class
 from ecm_extract.link.code.spelling import last_name, plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
-from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
 from ecm_extract.link.running.scope import Scope
 

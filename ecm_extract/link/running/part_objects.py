@@ -13,7 +13,8 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_extract.link.code.handing_on import THIS
 from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, bind, invocation_of
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder

@@ -16,7 +16,8 @@ from ecm_extract.link.code.handing_on import THIS, hands_on
 from ecm_extract.link.code.spelling import last_name, plain, pointee
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children
-from ecm_extract.link.running.env import Env, bind
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Env
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder

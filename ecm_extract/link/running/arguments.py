@@ -1,0 +1,99 @@
+"""What the parameters of a function are at a call.
+
+Source: "Calls" of the Python language reference: `*values` and `**table` are spread among the parameters, and what is
+left over stands in `*args` and `**kwargs`. Where the tree does not show what is spread, no default is known to hold.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ecm_parsers.source.expr import Expr, Items, Name, Op, Opaque, Table, Text
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.running.env import Bound, Env
+
+_SPREAD = "**"
+
+
+class _Given(NamedTuple):
+    """What a call gives, in order and by name; with `is_open` it gives more that is not known."""
+
+    placed: list[Bound]
+    named: dict[str, Bound]
+    is_open: bool
+
+
+def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
+    """Return what the parameters of `callee` are at a call: arguments, keywords, then defaults."""
+    given = _given(call, env)
+    bound: dict[str, Bound] = {}
+    rest = given.placed
+    for at, parameter in enumerate(callee.params):
+        if parameter.name.startswith(_SPREAD):
+            bound[parameter.name.lstrip("*")] = _left_over(callee, given, env)
+        elif parameter.name.startswith("*"):
+            bound[parameter.name[1:]] = Bound(Items(call.args[at:]), env)
+            rest = []
+        elif rest:
+            bound[parameter.name] = rest[0]
+            rest = rest[1:]
+    bound |= given.named
+    if given.is_open:
+        for parameter in callee.params:
+            bound.setdefault(parameter.name.lstrip("*"), Bound(Opaque(_SPREAD), env))
+    elif len(bound) < len(callee.params):
+        for name, default in callee.defaults:
+            bound.setdefault(name, Bound(default, Env(callee, depth=env.depth)))
+    return bound
+
+
+def _given(call: Invocation, env: Env) -> _Given:
+    found = _Given([], {}, is_open=False)
+    for arg in call.args:
+        found = _with_argument(found, arg, env)
+    for name, value in call.keywords:
+        found = _with_keyword(found, name, value, env)
+    return found
+
+
+def _with_argument(found: _Given, arg: Expr, env: Env) -> _Given:
+    if not (isinstance(arg, Op) and arg.op == "*" and len(arg.operands) == 1):
+        if not found.is_open:
+            found.placed.append(Bound(arg, env))
+        return found
+    spread = _shown(arg.operands[0], env)
+    if not isinstance(spread.expr, Items) or found.is_open:
+        return found._replace(is_open=True)
+    for item in spread.expr.items:
+        found = _with_argument(found, item, spread.env)
+    return found
+
+
+def _with_keyword(found: _Given, name: str, value: Expr, env: Env) -> _Given:
+    if name != _SPREAD:
+        found.named[name] = Bound(value, env)
+        return found
+    spread = _shown(value, env)
+    entries = spread.expr.entries if isinstance(spread.expr, Table) else ((value, value),)
+    for key, each in entries:
+        if not isinstance(key, Text):
+            return found._replace(is_open=True)
+        found.named[key.value] = Bound(each, spread.env)
+    return found
+
+
+def _shown(expr: Expr, env: Env) -> Bound:
+    """A display, or the one that a parameter of the function at hand stands for."""
+    given = env.args.get(expr.id) if isinstance(expr, Name) and expr.id in env.func.given else None
+    return given if given is not None else Bound(expr, env)
+
+
+def _left_over(callee: Func, given: _Given, env: Env) -> Bound:
+    """The table of keywords that no parameter has the name of."""
+    own = {parameter.name for parameter in callee.params}
+    left = {name: value for name, value in given.named.items() if name not in own}
+    if given.is_open or any(value.env is not env for value in left.values()):
+        return Bound(Opaque(_SPREAD), env)
+    return Bound(Table(tuple([(Text(name), value.expr) for name, value in left.items()])), env)
