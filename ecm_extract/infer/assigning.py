@@ -85,12 +85,20 @@ class Assigning:
 
     def _refer(self, target: Expr | None, value: Expr | None, at: int, env: Env, state: State) -> State:
         """`auto & x = y;` is another name of what it refers to, or of a part of it, which that leaves as it is."""
+        if isinstance(target, Items):
+            return self._refer_to_parts(target, value, at, env, state)
         key = self.frame.effects.key(target)
         self.memory.sharing.refer(key, self.frame.effects.root(value), self.frame.effects.key(value))
         if key in self.memory.escaped:  # who changes it any time changes what it refers to
             self.memory.escaped.add(self.frame.effects.root(value))
             state = self.memory.lost(state, {self.frame.effects.root(value)})
         return self.memory.hold(key, Held("value", key, value, env, at), self.memory.parts_lost(key, state))
+
+    def _refer_to_parts(self, target: Items, value: Expr | None, at: int, env: Env, state: State) -> State:
+        """`auto & [a, b] = pair;`: each is another name of a part of it."""
+        for item in target.items:
+            self.memory.sharing.refer(self.frame.effects.key(item), self.frame.effects.root(value))
+        return self.bind(target, Held("value", "", value, env, at), state)
 
     def _refer_through(self, target: Expr | None, value: Expr | None) -> None:
         """`auto it = table.find(key);`: who writes to `it->second` changes the table, and the other way round."""
@@ -117,6 +125,7 @@ class Assigning:
             return self._unpack(target, held, state)
         key = self.frame.effects.key(target)
         if key:
+            held = Held("lost", key) if self._is_set_by_method(key) else held
             held.name = key
             state = self.memory.hold(key, held, self.memory.parts_lost(key, state))
             return self._after_rebinding(key, state)
@@ -129,6 +138,10 @@ class Assigning:
             new = stored if held.how == "value" else Held("lost", root, before=before)
             return self.memory.in_place(root, new, state)
         return self.memory.in_place(root, Held("lost", root, before=state.holds.get(root, ())), state)
+
+    def _is_set_by_method(self, key: str) -> bool:
+        """Whether a field of Python is a property, whose method makes what it likes of what it gets."""
+        return self.frame.python and "." in key and self.frame.effects.targets.has_setter(key.rpartition(".")[2])
 
     def _one_of_several(self, target: Expr | None, held: Held, state: State) -> State:
         """`std::tie(a, b) = value` gives each its part; `(test ? a : b) = value` gives one or the other something."""

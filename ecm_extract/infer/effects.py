@@ -84,6 +84,9 @@ class Targets(Protocol):
     def shown_part(self, call: Call, func: Func) -> Expr | None:
         """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
 
+    def has_setter(self, name: str) -> bool:
+        """Tell whether objects of Python have a property of that name which a method of theirs sets."""
+
     @property
     def lent(self) -> Lending:
         """Who knows which functions are handed to those that only call them."""

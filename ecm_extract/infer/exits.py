@@ -58,6 +58,10 @@ class Exits:
         elif how == "return" and not self._frame.later:
             self.left.append(state)
 
+    def ways(self) -> Sequence[list[State]]:
+        """Return the states that left so far by `return`, and by `break` and `continue` of the loop at hand."""
+        return (self.left, *self._breaks[-1:], *self._continues[-1:])
+
     # --- exceptions --------------------------------------------------------------------------------------
 
     @property

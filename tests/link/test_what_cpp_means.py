@@ -36,6 +36,8 @@ ROWS = [
     ("no number below zero", 'unsigned int n = 0; n--; pub("n" + std::to_string(n));', "n4294967295"),
     ("a truth value of a number", 'bool n = 5; pub("n" + std::to_string(n));', "n1"),
     ("a short fraction", 'float n = 0.1; double m = n; pub("n" + std::to_string(m * 10000000));', "n1000000.014901"),
+    ("names of parts that change", 'std::pair<std::string, int> p{"a", 1}; auto & [x, y] = p; x = "b"; pub(p.first);', OPEN),
+    ("names of parts of a copy", 'std::pair<std::string, int> p{"a", 1}; auto [x, y] = p; x = "b"; pub(p.first);', "a"),
     ("a cast", 'int n = -1; pub("n" + std::to_string(static_cast<unsigned>(n)));', "n4294967295"),
     ("a map has an order", 'std::map<std::string, int> m{{"b", 1}, {"a", 2}}; for (auto & p : m) s += p.first; pub("m" + s);', "mab"),
     ("a set has an order", 'std::set<std::string> m{"b", "a", "b"}; for (const auto & p : m) s += p; pub("m" + s);', "mab"),

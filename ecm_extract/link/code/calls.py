@@ -11,6 +11,7 @@ from ecm_parsers.source.expr import (
     Expr,
     Member,
     Name,
+    Op,
 )
 from ecm_parsers.source.facts import Statement
 
@@ -32,6 +33,10 @@ class Step(NamedTuple):
     func: Func
     at: int
     statement: Statement
+
+
+SPREAD = "**"
+"""Name of the keyword that a table of arguments is."""
 
 
 class Invocation(msgspec.Struct, frozen=True, eq=False):
@@ -115,6 +120,16 @@ def invocation(step: Step, call: Call) -> Invocation:
         return Invocation(*step, path.rsplit("::", 1)[0], None, args, (), call.types, call.line, True)
     made = statement.kind == "let" and statement.value is call and plain(statement.type) == path
     return Invocation(*step, path, None, args, call.keywords, call.types, call.line, made)
+
+
+def is_spread(arg: Expr) -> bool:
+    """Tell whether an argument of Python is `*values`, which may be any number of them."""
+    return isinstance(arg, Op) and arg.op == "*" and len(arg.operands) == 1
+
+
+def spreads(call: Invocation) -> bool:
+    """Tell whether a call gives more arguments than are written there, or fewer."""
+    return any(map(is_spread, call.args)) or any(name == SPREAD for name, _ in call.keywords)
 
 
 def one_node(func: Func, args: tuple[Expr, ...]) -> tuple[Expr, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Text
 from ecm_parsers.source.facts import Parameter
 
-from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.calls import Invocation, spreads
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Func
 
@@ -17,7 +17,7 @@ NO = -1
 
 def score(call: Invocation, func: Func) -> int:
     """Return how well a call fits a function; `NO` when it cannot mean it."""
-    if call.func.file.language != func.file.language or not _countable(call, func):
+    if call.func.file.language != func.file.language or not is_countable(call, func):
         return NO
     if func.file.language == "python":
         return 0
@@ -32,9 +32,10 @@ def score(call: Invocation, func: Func) -> int:
     return total
 
 
-def _countable(call: Invocation, func: Func) -> bool:
+def is_countable(call: Invocation, func: Func) -> bool:
+    """Tell whether a call may give as many arguments as a function takes."""
     least, most = func.arity
-    return least <= len(call.args) + len(call.keywords) <= most
+    return spreads(call) or least <= len(call.args) + len(call.keywords) <= most
 
 
 def _deducible(call: Invocation, func: Func) -> bool:

@@ -192,7 +192,7 @@ class MemberFolder:
                     values += self.folder.calls.parameter_value(read, default, place.within(None, at))
         making = [place.func for held, place in sources if _makes(held)]
         if not any(func.is_constructor for func in making):
-            values += [each for each in self.initial(name, cls, env) if not making or isinstance(each.data, bool)]
+            values += [each for each in self.initial(name, cls, env) if not making or _may_stay(each)]
         others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
         others = others or list(self.initial(name, cls, env))
         filled = [value for value in others or values if value.text]
@@ -259,6 +259,11 @@ class MemberFolder:
     def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:
         made = env.made if env.made is not None and env.made.cls is cls else None
         return Env(method, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
+
+
+def _may_stay(value: Value) -> bool:
+    """Tell whether what a member begins with is of use before a method gives it something: a text, a truth value."""
+    return isinstance(value.data, bool) or (value.data is None and bool(value.text))
 
 
 def _is_plain(cls: Cls) -> bool:

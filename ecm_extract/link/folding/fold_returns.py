@@ -27,6 +27,7 @@ from ecm_extract.link.running.values import (
     unknown,
     without_defaults,
 )
+from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -80,6 +81,8 @@ class ReturnFolder:
             fitting = fitting[:1] if scores[1:] and scores[0] > scores[1] and all(kinds) else fitting
         if env.func.file.language == "python":
             fitting = [func for func in fitting if "overload" not in map(last_name, func.fact.decorators)]
+            if any(map(_is_wrapped, fitting)):
+                return None
         return fitting[0] if len(fitting) == 1 else None  # of two in one place, who knows which was declared last
 
     def _kind(self, arg: Expr, env: Env) -> str:
@@ -141,6 +144,12 @@ def _class_of(made: Instance | None, callee: Func, call: Invocation, env: Env) -
     if is_own(call.receiver):
         return env.this or env.func.cls or callee.cls
     return made.cls if made is not None else callee.cls
+
+
+def _is_wrapped(func: Func) -> bool:
+    """Tell whether a decorator may give back something else than the function does."""
+    names = {last_name(each.partition("(")[0].strip()) for each in func.fact.decorators}
+    return bool(names - shipped_names("link/owning/reach.toml", "decorators"))
 
 
 def _receiver(call: Invocation) -> Expr | None:

@@ -10,11 +10,9 @@ from typing import NamedTuple
 
 from ecm_parsers.source.expr import Expr, Items, Name, Op, Opaque, Table, Text
 
-from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.calls import SPREAD, Invocation, is_spread
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Bound, Env
-
-_SPREAD = "**"
 
 
 class _Given(NamedTuple):
@@ -30,11 +28,11 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
     given = _given(call, env)
     bound: dict[str, Bound] = {}
     rest = given.placed
-    for at, parameter in enumerate(callee.params):
-        if parameter.name.startswith(_SPREAD):
+    for parameter in callee.params:
+        if parameter.name.startswith(SPREAD):
             bound[parameter.name.lstrip("*")] = _left_over(callee, given, env)
         elif parameter.name.startswith("*"):
-            bound[parameter.name[1:]] = Bound(Items(call.args[at:]), env)
+            bound[parameter.name[1:]] = _in_order(given, rest, env)
             rest = []
         elif rest:
             bound[parameter.name] = rest[0]
@@ -42,7 +40,7 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
     bound |= given.named
     if given.is_open:
         for parameter in callee.params:
-            bound.setdefault(parameter.name.lstrip("*"), Bound(Opaque(_SPREAD), env))
+            bound.setdefault(parameter.name.lstrip("*"), Bound(Opaque(SPREAD), env))
     elif len(bound) < len(callee.params):
         for name, default in callee.defaults:
             bound.setdefault(name, Bound(default, Env(callee, depth=env.depth)))
@@ -59,7 +57,7 @@ def _given(call: Invocation, env: Env) -> _Given:
 
 
 def _with_argument(found: _Given, arg: Expr, env: Env) -> _Given:
-    if not (isinstance(arg, Op) and arg.op == "*" and len(arg.operands) == 1):
+    if not isinstance(arg, Op) or not is_spread(arg):
         if not found.is_open:
             found.placed.append(Bound(arg, env))
         return found
@@ -72,7 +70,7 @@ def _with_argument(found: _Given, arg: Expr, env: Env) -> _Given:
 
 
 def _with_keyword(found: _Given, name: str, value: Expr, env: Env) -> _Given:
-    if name != _SPREAD:
+    if name != SPREAD:
         found.named[name] = Bound(value, env)
         return found
     spread = _shown(value, env)
@@ -90,10 +88,18 @@ def _shown(expr: Expr, env: Env) -> Bound:
     return given if given is not None else Bound(expr, env)
 
 
+def _in_order(given: _Given, rest: list[Bound], env: Env) -> Bound:
+    """The list of arguments that no parameter stands for."""
+    place = rest[0].env if rest else env
+    if given.is_open or any(each.env is not place for each in rest):
+        return Bound(Opaque("*"), env)
+    return Bound(Items(tuple([each.expr for each in rest])), place)
+
+
 def _left_over(callee: Func, given: _Given, env: Env) -> Bound:
     """The table of keywords that no parameter has the name of."""
     own = {parameter.name for parameter in callee.params}
     left = {name: value for name, value in given.named.items() if name not in own}
     if given.is_open or any(value.env is not env for value in left.values()):
-        return Bound(Opaque(_SPREAD), env)
+        return Bound(Opaque(SPREAD), env)
     return Bound(Table(tuple([(Text(name), value.expr) for name, value in left.items()])), env)

@@ -18,6 +18,7 @@ from ecm_extract.infer.run import Run
 from ecm_extract.link.code.naming_calls import leaves_arguments
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
+from ecm_extract.link.running.bounds import MAX_FRAMES, MAX_RECURSION, MAX_RUNNING, MAX_RUNS, MAX_WITHIN
 from ecm_extract.link.running.decisions import Decisions
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.exceptions import Exceptions
@@ -30,17 +31,6 @@ if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
     from ecm_extract.link.running.lasting_states import LastingStates
     from ecm_extract.link.running.lent import Lent
-
-MAX_WITHIN = 100
-"""Runs that one run leads to, directly or through others."""
-MAX_RECURSION = 2
-"""Runs of a function within runs of itself."""
-MAX_RUNS = 5_000
-"""Runs with arguments that are remembered."""
-MAX_FRAMES = 6_000
-"""Calls within calls: our own bounds (MAX_DEPTH, MAX_RUNNING, MAX_NESTING) end before that, the default does not."""
-MAX_RUNNING = 8
-"""Runs within runs: what a function is called with may be what another function does."""
 
 
 class Flow:
@@ -280,6 +270,10 @@ class Flow:
     def shown_part(self, call: Call, func: Func) -> Expr | None:
         """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
         return self.folder.parts.shown(call, func)
+
+    def has_setter(self, name: str) -> bool:
+        """Tell whether objects of Python have a property of that name which a method of theirs sets."""
+        return any(f"{name}.setter" in func.fact.decorators for func in self.folder.program.functions.get(name, ()))
 
     def keeps(self, path: str) -> bool:
         """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""

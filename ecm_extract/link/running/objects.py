@@ -10,7 +10,7 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
-from ecm_extract.link.code.overloads import NO, score
+from ecm_extract.link.code.overloads import NO, is_countable, score
 from ecm_extract.link.code.pointed import pointed as pointed_class
 from ecm_extract.link.code.spelling import last_name, plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
@@ -229,8 +229,7 @@ class Objects:
 
     def may_run(self, func: Func, cls: Cls, call: Invocation) -> bool:
         """Tell whether a call that makes an object may run a function: of constructors those that it means."""
-        least, most = func.arity
-        if not func.is_constructor or func.cls is not cls or least <= len(call.args) + len(call.keywords) <= most:
+        if not func.is_constructor or func.cls is not cls or is_countable(call, func):
             return True
         maker = self.constructor(cls, len(call.args))
         return maker is not None and _base_call(maker, cls) is not None  # it leaves the work to another one

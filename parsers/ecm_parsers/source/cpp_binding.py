@@ -47,7 +47,8 @@ class Binding:
         bound = declarator.child_by_field_name("declarator") or declarator
         target = self.bound(bound)
         if isinstance(target, Items):
-            self.writer.add("let", declarator, self._initial(kind, value), target, self.expr.type_text(kind))
+            written = self.expr.type_text(kind) + _MARKS.get(bound.type, "")
+            self.writer.add("let", declarator, self._initial(kind, value), target, written)
             return
         name = declared_name(self.expr, bound)
         if value is not None and value.type == "lambda_expression":

@@ -1,0 +1,80 @@
+"""Names as Python makes them, where that is not what the text of the code suggests."""
+
+from __future__ import annotations
+
+from textwrap import indent
+from typing import Any
+
+import pytest
+
+NODE = """
+import functools
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Named:
+    KIND = "kind"
+    def __init__(self, name): self._name = name
+    @property
+    def name(self): return self._name
+    @name.setter
+    def name(self, name): self._name = "set_" + name
+    def kinds(self, node):
+        node.create_publisher(String, "before_" + self.KIND, 10)
+        self.KIND = "other"
+def around(function):
+    @functools.wraps(function)
+    def inner(*args): return "around_" + function(*args)
+    return inner
+@around
+def wrapped(name): return name
+@functools.lru_cache
+def kept(name): return name
+def joined(a, b="b", *more, c="c"): return a + b + "".join(more) + c
+class Demo(Node):
+    def __init__(self):
+        super().__init__("demo")
+        self.start()
+    def start(self):
+{body}
+def main():
+    rclpy.spin(Demo())
+if __name__ == "__main__":
+    main()
+"""
+OPEN = "{"
+ROWS = [
+    ("a property that is set", 'd = Named("d")\nd.name = "q"\npub(d.name)', [OPEN]),
+    ("a decorator", 'pub(wrapped("a"))', [OPEN]),
+    ("a decorator that keeps results", 'pub(kept("a"))', ["a"]),
+    ("a table of arguments", 'pub(joined("a", **{"b": "x"}))', ["axc"]),
+    ("a table that is not known", 'pub(joined("a", **table()))', [OPEN]),
+    ("a list of arguments", 'pub(joined(*("a", "x", "y")))', ["axyc"]),
+    ("a list that is not known", 'pub(joined("a", *names()))', [OPEN]),
+    ("a member that is set behind", "Named('d').kinds(self)", ["before_kind", "before_other"]),
+    ("a number of a text", 'pub("n" + str(int("5") * 2) + str(float("2")))', ["n102.0"]),
+    ("a list twice", 'l = ["a"]\nm = [l] * 2\nm[0].append("b")\npub("_".join(l))', [OPEN]),
+    ("an end behind a break", 'n = "a"\nwhile True:\n    try:\n        break\n    finally:\n        n = "b"\npub(n)', ["b"]),
+    ("an end behind a round", 'n = "a"\nfor i in range(2):\n    try:\n        continue\n    finally:\n        n += "b"\npub(n)', ["abb"]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("body", "expected"), [row[1:] for row in ROWS], ids=[row[0] for row in ROWS])
+def test_names_are_what_the_program_makes(workspace: Any, body: str, expected: list[str]) -> None:
+    """One name is told as folded, several as possible; what is not followed has a hole."""
+    lines = "\n".join(
+        f"{line[: line.index('pub(')]}self.create_publisher(String, {line[line.index('pub(') + 4 : -1]}, 10)"
+        if "pub(" in line
+        else line
+        for line in body.split("\n")
+    )
+    package = workspace.package({"scripts/d.py": NODE.format(body=indent(lines, " " * 8))})
+    published = (entry for entry in package.interfaces() if entry.role == "publisher")
+    found = [entry for entry in published if "kinds" in body or "before" not in entry.name]
+    if expected == [OPEN]:
+        assert found
+        assert all(OPEN in entry.name for entry in found)
+    else:
+        assert sorted(entry.name for entry in found) == [f"/{name}" for name in expected]
+        assert all((entry.confidence in {"folded", "literal"}) == (len(expected) == 1) for entry in found)
