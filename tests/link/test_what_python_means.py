@@ -9,6 +9,8 @@ import pytest
 
 NODE = """
 import functools
+from pkg import tools
+from pkg.tools import Tool
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import String
@@ -20,6 +22,10 @@ class Named:
     def name(self): return self._name
     @name.setter
     def name(self, name): self._name = "set_" + name
+    @staticmethod
+    def clean(name): return name.strip("/")
+    @classmethod
+    def marked(cls, name): return "m_" + name
     def kinds(self, node):
         node.create_publisher(String, "before_" + self.KIND, 10)
         self.KIND = "other"
@@ -44,8 +50,16 @@ if __name__ == "__main__":
     main()
 """
 OPEN = "{"
+TOOLS = {
+    "pkg/tools.py": "class Tool:\n    @staticmethod\n    def clean(name): return name.strip('/')\n",
+    "pkg/__init__.py": "",
+    "setup.py": "from setuptools import setup\nsetup(name='pkg', packages=['pkg'], entry_points={'console_scripts': ['d = pkg.d:main']})\n",
+}
 ROWS = [
     ("a property that is set", 'd = Named("d")\nd.name = "q"\npub(d.name)', [OPEN]),
+    ("a function of a class", 'pub(Named.clean("/a/") + Named.marked("b"))', ["am_b"]),
+    ("a function of a class of another module", 'pub(tools.Tool.clean("/a/") + Tool.clean("b/"))', ["ab"]),
+    ("a variable like a class", 'Named = other()\npub(Named.clean("/a/"))', [OPEN]),
     ("a decorator", 'pub(wrapped("a"))', [OPEN]),
     ("a decorator that keeps results", 'pub(kept("a"))', ["a"]),
     ("a table of arguments", 'pub(joined("a", **{"b": "x"}))', ["axc"]),
@@ -69,7 +83,7 @@ def test_names_are_what_the_program_makes(workspace: Any, body: str, expected: l
         else line
         for line in body.split("\n")
     )
-    package = workspace.package({"scripts/d.py": NODE.format(body=indent(lines, " " * 8))})
+    package = workspace.package({"pkg/d.py": NODE.format(body=indent(lines, " " * 8)), **TOOLS})
     published = (entry for entry in package.interfaces() if entry.role == "publisher")
     found = [entry for entry in published if "kinds" in body or "before" not in entry.name]
     if expected == [OPEN]:

@@ -18,6 +18,7 @@ from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
+from ecm_extract.link.running.named_classes import class_asked
 from ecm_extract.link.running.scope import Scope
 
 _POINTER_SUFFIX = re.compile(r"(?:Const)?(?:Shared|Unique|Weak)?Ptr$")
@@ -26,7 +27,6 @@ HANDLES_OF_NODELETS: Final = frozenset(
 )
 """Methods of nodelet::Nodelet (nodelet/nodelet.h) that give a handle."""
 _ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
-
 MAX_DELEGATIONS = 4
 """Constructors that leave the work to another one, each to the next."""
 
@@ -81,8 +81,7 @@ class Objects:
             cls = env.this or env.func.cls
             return self.scope.member_type(expr.name, cls) or self._member_assigned_type(expr.name, cls, env)
         if isinstance(expr, Member):
-            cls = self.class_of(expr.base, env.before(env.at))
-            return self.scope.member_type(expr.name, cls)
+            return self.scope.member_type(expr.name, self.class_of(expr.base, env.before(env.at)))
         if isinstance(expr, Call):
             return self._made_type(expr, env)
         if isinstance(expr, Op) and expr.op in {"&", "?:"}:
@@ -94,9 +93,8 @@ class Objects:
     def _assigned_type(self, name: str, env: Env) -> str:
         """The type of what a variable is given; a type needs no run, since it does not change on the way."""
         body = env.func.fact.body
-        given = [
-            at for at in self.scope.locals_of(env.func).get(name, ()) if at < env.at and body[at].value is not None
-        ]
+        places = self.scope.locals_of(env.func).get(name, ())
+        given = [at for at in places if at < env.at and body[at].value is not None]
         for at in reversed(given):
             value = body[at].value
             written = self.type_of(value, env.before(at)) if value is not None else ""
@@ -275,9 +273,11 @@ class Objects:
         own = env.func.cls or env.this
         if is_super(call.receiver) and own is not None:
             return self._methods_of_base(call, own)
+        named = class_asked(call, self.program)
         if call.receiver is not None:
-            return self._methods(call, self.class_of(call.receiver, env.before(env.at)))
-        return self._methods(call, self._named_base(call, env) or env.this or env.func.cls) or self._free(call, env)
+            return self._methods(call, self.class_of(call.receiver, env.before(env.at)) or named)
+        named = named or self._named_base(call, env) or env.this or env.func.cls
+        return self._methods(call, named) or self._free(call, env)
 
     def _methods_of_base(self, call: Invocation, own: Cls) -> Sequence[Func]:
         """`super().name()` means that of the first base, `Base.name(self)` that of the named one."""
