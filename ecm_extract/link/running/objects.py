@@ -277,7 +277,10 @@ class Objects:
             return self._methods_of_base(call, own)
         if call.receiver is not None:
             return self._methods(call, self.class_of(call.receiver, env.before(env.at)))
-        return self._methods(call, self._named_base(call, env) or env.this or env.func.cls) or self._free(call, env)
+        named = self._named_base(call, env)
+        if named is None and "::" not in call.path:  # `library::name()` is none of the methods at hand
+            named = env.this or env.func.cls
+        return self._methods(call, named) or self._free(call, env)
 
     def _methods_of_base(self, call: Invocation, own: Cls) -> Sequence[Func]:
         """`super().name()` means that of the first base, `Base.name(self)` that of the named one."""
