@@ -157,6 +157,7 @@ def test_the_effective_namespace_has_that_of_the_sub_node(
     text = NODE.format(setup=setup, name=f'std::string({asked}) + "/state"', member="")
     assert workspace.package({"src/d.cpp": text}).only("publisher").name == expected
 
+
 WITH_USING = """
 #include <ros/ros.h>
 using namespace ros;

@@ -50,4 +50,4 @@ def test_templates_that_derive_from_each_other_are_followed_once() -> None:
     store = program.add("Store", "T")
     outer = program.add("Outer", "A", "Inner<A>")
     program.add("Inner", "B", "Outer<B>", "Store<B>")
-    assert BaseTypes(cast(Any, program)).within("T", cast(Any, store), cast(Any, outer)) == "A"
+    assert BaseTypes(cast("Any", program)).within("T", cast("Any", store), cast("Any", outer)) == "A"
