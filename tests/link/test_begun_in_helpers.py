@@ -35,3 +35,10 @@ def test_what_a_helper_begins_with_is_the_default(workspace: Any, body: str, def
     workspace.package({"src/demo.cpp": HELPER.format(body=body)}, ros=1)
     assert workspace.only("parameter").default == default
     assert (workspace.only("publisher").name == "/demo/map") is (default is not None)
+
+
+def test_what_somebody_may_have_changed_is_no_default(workspace: Any) -> None:
+    """A function that nobody sees may write to the variable that it is handed."""
+    body = "change(value); nh.getParam(name, value); return value;"
+    workspace.package({"src/demo.cpp": HELPER.format(body=body)}, ros=1)
+    assert workspace.only("parameter").default is None
