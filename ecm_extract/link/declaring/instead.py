@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
+from ecm_parsers.source.flow import Branch, steps
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.walk import names_in
@@ -66,6 +67,12 @@ def kept_instead(call: Invocation, out: Expr) -> Expr | None:
     untouched = isinstance(out, Name) and not any(out.id in names_in(statement.value) for statement in between)
     plainly = untouched and _does_nothing(call)
     return value if plainly and isinstance(value, Name) and value.id in given else None
+
+
+def goes_on(call: Invocation) -> bool:
+    """Tell whether a function goes on where the parameter of a condition is not set, as if nobody had asked."""
+    asked = (step for step in steps(call.func.fact.flow) if isinstance(step, Branch))
+    return is_denied(call) and any(step.test == call.statement.value and not step.then for step in asked)
 
 
 def _returns_only(call: Invocation, out: Expr) -> bool:
