@@ -164,3 +164,39 @@ def test_a_base_is_the_host_of_what_derives_from_it(workspace: Any, case: tuple[
     declared, calls, topic = case
     text = TEMPLATE.format(declared=declared, calls=calls)
     assert workspace.package({"src/short.cpp": text}, ros=1).only("publisher").name == topic
+
+
+OF_ONE_HOST = """
+#include <ros/ros.h>
+class Planner {
+ public:
+  virtual ~Planner() {}
+  void begin(ros::NodeHandle & nh) {
+    std::string topic;
+    nh.getParam("topic", topic);
+    sub_ = nh.subscribe(topic, 1, &Planner::heard, this);
+    pub_ = nh.advertise<std_msgs::String>("fixed", 1);
+  }
+  void heard(const std_msgs::String & text) {}
+  ros::Subscriber sub_;
+  ros::Publisher pub_;
+};
+class Short : public Planner {};
+PLUGINLIB_EXPORT_CLASS(Short, Planner)
+int main(int c, char ** v) {
+  ros::init(c, v, "board");
+  ros::NodeHandle nh("~");
+  pluginlib::ClassLoader<Planner> loader("pkg", "Planner");
+  boost::shared_ptr<Planner> planner = loader.createInstance("short");
+  planner->begin(nh);
+  ros::spin();
+}
+"""
+
+
+def test_what_a_base_names_by_itself_is_of_the_program_that_calls_it(workspace: Any) -> None:
+    """A name that a parameter gives in the base is no name that its host gives: it lies where its neighbours do."""
+    modules = workspace.package({"src/board.cpp": OF_ONE_HOST}, ros=1).modules()
+    found = {entry.name: name for name, module in modules.items() for entry in module.signature.interfaces}
+    assert len(found) == 3, found
+    assert len(set(found.values())) == 1, found
