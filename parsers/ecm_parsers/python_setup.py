@@ -6,6 +6,7 @@ Source: setuptools, keywords of `setup()`; catkin_pkg.python_setup; generate_par
 from __future__ import annotations
 
 import msgspec
+from tree_sitter import Node
 
 from ecm_parsers.python_setup_facts import DataFiles, EntryPoint, PythonSetup, entry_point
 from ecm_parsers.python_tree import MAX_BYTES, callee_name, fold, parse_python, read_call, statements, text_of
@@ -19,6 +20,8 @@ _FINDERS = frozenset({"find_packages", "find_namespace_packages"})
 _READ_CALLS = _SETUP_CALLS | {_PARAMETER_MODULE}
 _WANTED = frozenset({"assignment", "call"})
 _Keywords = dict[str, Value]
+MAX_ENTRIES = 200
+"""Entries of one dictionary that are set one by one."""
 
 
 def parse_setup_py(data: bytes) -> Parsed[PythonSetup]:
@@ -78,9 +81,34 @@ def _calls(text: str, diagnostics: list[Diagnostic]) -> _Calls:
             value = fold(node.child_by_field_name("right"), names)
             if target is not None:
                 names[text_of(target)[:200]] = value
+                _set_entry(target, value, names)
         elif callee_name(node.child_by_field_name("function")).rpartition(".")[2] in _READ_CALLS:
             found.add(read_call(node, names), node.start_point[0] + 1, diagnostics)
     return found
+
+
+def _set_entry(target: Node, value: Value, names: dict[str, Value]) -> None:
+    """`d["packages"] = [...]`: what a variable holds that is handed on as `**d`, a dictionary or what catkin gives."""
+    whole, keys = target.child_by_field_name("value"), target.children_by_field_name("subscript")
+    if target.type != "subscript" or whole is None or whole.type != "identifier" or len(keys) != 1:
+        return
+    held = names.get(text_of(whole)[:200])
+    key = fold(keys[0], names)
+    if held is None or not isinstance(key.data, str):
+        return
+    entries = _entries_of(held)
+    kept = tuple(entry for entry in entries if entry[0].data != key.data)
+    if len(kept) < MAX_ENTRIES:
+        names[text_of(whole)[:200]] = Value(Table((*kept, (key, value))), held.line)
+
+
+def _entries_of(held: Value) -> tuple[tuple[Value, Value], ...]:
+    """The entries of a dictionary, or of the one that a call of catkin returns, as far as they are known."""
+    if isinstance(held.data, Table):
+        return held.data.entries
+    if isinstance(held.data, PyCall) and held.data.name.rpartition(".")[2] in _SETUP_CALLS:
+        return tuple((Value(name, held.line), value) for name, value in _spread(held.data).items())
+    return ()
 
 
 def _spread(call: PyCall) -> _Keywords:

@@ -161,10 +161,10 @@ def _inner(node: Node, names: Names, depth: int) -> Data:
     return fold(inner[0], names, depth).data if inner else _unknown(node)
 
 
-def _negative(node: Node, names: Names, depth: int) -> Data:
+def _signed(node: Node, names: Names, depth: int) -> Data:
     data = fold(node.child_by_field_name("argument"), names, depth).data
-    is_minus = node.children[0].type == "-"
-    return -data if is_minus and isinstance(data, int | float) else _unknown(node)
+    sign = node.children[0].type
+    return (-data if sign == "-" else +data) if sign in "+-" and isinstance(data, int | float) else _unknown(node)
 
 
 def _binary(node: Node, names: Names, depth: int) -> Data:
@@ -245,7 +245,7 @@ _FOLDERS: dict[str, Callable[[Node, Names, int], Data]] = {
     "identifier": _name,
     "attribute": _name,
     "parenthesized_expression": _inner,
-    "unary_operator": _negative,
+    "unary_operator": _signed,
     "binary_operator": _binary,
     "call": _call,
 }

@@ -38,6 +38,10 @@ ROWS = [
     ('if (!pnh_.getParam("p", plain_) || !ready()) { plain_ = 7; }', "integer", None),
     ('if (!pnh_.getParam("p", plain_)) { warn(); } plain_ = 8;', "integer", None),
     ('pnh_.param("p", wide_, grid_->resolution());', "double", None),
+    ('if (!pnh_.getParam("p", member_)) ROS_ERROR_STREAM("unset, " << member_);', "integer", 2),
+    ('if (!pnh_.getParam("p", member_)) { ROS_BREAK(); }', "integer", None),
+    ('if (!pnh_.getParam("p", member_)) { throw Unset(); }', "integer", None),
+    ('bool on{true}; pnh_.getParam("p", on);', "bool", True),
 ]
 
 

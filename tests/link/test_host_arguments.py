@@ -124,3 +124,79 @@ def test_a_base_keeps_the_handle_that_a_host_was_given(workspace: Any, case: tup
     found = workspace.package({"src/board.cpp": KEPT.format(begun=begun)}, ros=1)
     assert {entry.name for entry in found.interfaces() if entry.role == "parameter"} == {parameter}
     assert found.only("publisher").name == topic
+
+
+TEMPLATE = """
+#include <ros/ros.h>
+class Planner {{
+ public:
+  {declared}
+  void begin(ros::NodeHandle & nh) {{
+    own_ = ros::NodeHandle("~" + getName());
+    other_ = ros::NodeHandle("~other");
+    {calls}
+  }}
+  virtual std::string getName() = 0;
+  ros::NodeHandle own_, other_;
+}};
+class Short : public Planner {{
+ public:
+  std::string getName() {{ return "short"; }}
+  void load(ros::NodeHandle & given) {{ pub_ = given.advertise<std_msgs::String>("path", 1); }}
+  ros::Publisher pub_;
+}};
+PLUGINLIB_EXPORT_CLASS(Short, Planner)
+"""
+PURE = "virtual void load(ros::NodeHandle & nh) = 0;"
+OF_BASES = {
+    "what the base made": (PURE, "load(own_);", "~/short/path"),
+    "by this": (PURE, "this->load(own_);", "~/short/path"),
+    "two that do not agree": (PURE, "load(own_); load(other_);", "/{given}/path"),
+    "a method that hides another": ("void load(ros::NodeHandle & nh) {}", "load(own_);", "/{given}/path"),
+    "that of the base": ("virtual void load(ros::NodeHandle & nh) {}", "Planner::load(own_);", "/{given}/path"),
+    "another method": (PURE, "begin(own_);", "/{given}/path"),
+}
+
+
+@pytest.mark.parametrize("case", OF_BASES.values(), ids=OF_BASES.keys())
+def test_a_base_is_the_host_of_what_derives_from_it(workspace: Any, case: tuple[str, str, str]) -> None:
+    """What a base hands to its own virtual method is what the method of the object at hand gets, names of it included."""
+    declared, calls, topic = case
+    text = TEMPLATE.format(declared=declared, calls=calls)
+    assert workspace.package({"src/short.cpp": text}, ros=1).only("publisher").name == topic
+
+
+OF_ONE_HOST = """
+#include <ros/ros.h>
+class Planner {
+ public:
+  virtual ~Planner() {}
+  void begin(ros::NodeHandle & nh) {
+    std::string topic;
+    nh.getParam("topic", topic);
+    sub_ = nh.subscribe(topic, 1, &Planner::heard, this);
+    pub_ = nh.advertise<std_msgs::String>("fixed", 1);
+  }
+  void heard(const std_msgs::String & text) {}
+  ros::Subscriber sub_;
+  ros::Publisher pub_;
+};
+class Short : public Planner {};
+PLUGINLIB_EXPORT_CLASS(Short, Planner)
+int main(int c, char ** v) {
+  ros::init(c, v, "board");
+  ros::NodeHandle nh("~");
+  pluginlib::ClassLoader<Planner> loader("pkg", "Planner");
+  boost::shared_ptr<Planner> planner = loader.createInstance("short");
+  planner->begin(nh);
+  ros::spin();
+}
+"""
+
+
+def test_what_a_base_names_by_itself_is_of_the_program_that_calls_it(workspace: Any) -> None:
+    """A name that a parameter gives in the base is no name that its host gives: it lies where its neighbours do."""
+    modules = workspace.package({"src/board.cpp": OF_ONE_HOST}, ros=1).modules()
+    found = {entry.name: name for name, module in modules.items() for entry in module.signature.interfaces}
+    assert len(found) == 3, found
+    assert len(set(found.values())) == 1, found

@@ -156,3 +156,57 @@ def test_the_effective_namespace_has_that_of_the_sub_node(
     """rclcpp/node.hpp: the namespace of the node, and below it that of the sub node; a name behind it is absolute."""
     text = NODE.format(setup=setup, name=f'std::string({asked}) + "/state"', member="")
     assert workspace.package({"src/d.cpp": text}).only("publisher").name == expected
+
+
+WITH_USING = """
+#include <ros/ros.h>
+using namespace ros;
+int main(int argc, char ** argv) {
+  init(argc, argv, "demo");
+  NodeHandle nh;
+  double rate;
+  nh.param(this_node::getName() + "/rate", rate, 5.0);
+}
+"""
+OF_A_CLASS = """
+#include <ros/ros.h>
+class Planner {
+public:
+  std::string getName() { return "short"; }
+  void setup(ros::NodeHandle & nh) { pub_ = nh.advertise<std_msgs::String>(ros::this_node::getName() + "/state", 1); }
+  ros::Publisher pub_;
+};
+int main(int argc, char ** argv) {
+  ros::init(argc, argv, "demo");
+  ros::NodeHandle nh;
+  Planner planner;
+  planner.setup(nh);
+}
+"""
+OWN_INIT = """
+#include <ros/ros.h>
+using namespace ros;
+void init(int argc, char ** argv, const char * name);
+void init(int argc, char ** argv, const char * name) { ros::init(argc, argv, "demo"); }
+int main(int argc, char ** argv) {
+  init(argc, argv, "other");
+  NodeHandle nh("~");
+  auto pub = nh.advertise<std_msgs::String>("state", 1);
+}
+"""
+
+
+def test_the_name_of_the_node_is_known_by_what_using_brings(workspace: Any) -> None:
+    """`using namespace ros` brings `init` and `this_node::getName` without their first name."""
+    entry = workspace.package({"src/demo.cpp": WITH_USING}, ros=1).only("parameter")
+    assert (entry.name, entry.default) == ("/demo/rate", 5.0)
+
+
+def test_a_function_of_the_tree_is_nearer_than_what_using_brings(workspace: Any) -> None:
+    """A function of the file that is called like one of roscpp is none that names the node by its arguments."""
+    assert "/other" not in workspace.package({"src/demo.cpp": OWN_INIT}, ros=1).only("publisher").name
+
+
+def test_a_function_of_a_library_is_no_method_of_the_same_name(workspace: Any) -> None:
+    """`library::getName()` in a class that has a `getName` of its own is not that one."""
+    assert workspace.package({"src/demo.cpp": OF_A_CLASS}, ros=1).only("publisher").name == "/demo/state"

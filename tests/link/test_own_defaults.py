@@ -106,3 +106,40 @@ def test_what_a_callback_sets_later_is_a_setting_of_a_parameter_and_replaces_a_t
     """A text that a callback may replace is not proved."""
     found = workspace.package({"src/d.cpp": LATER.format(first=first)}).interfaces()
     assert expected in {(each.name, each.confidence) for each in found if each.role == "publisher"}
+
+
+TWO_READS = """
+#include <ros/ros.h>
+class Second {
+public:
+  Second() : pnh_("~") {
+    std::string topic;
+    pnh_.param("topic", topic, std::string("/second/objects"));
+    sub_ = nh_.subscribe<std_msgs::String>(topic, 1, &Second::heard, this);
+  }
+  void heard(const std_msgs::String::ConstPtr & message) {}
+  ros::NodeHandle nh_, pnh_; ros::Subscriber sub_;
+};
+class First {
+public:
+  First() : pnh_("~") {
+    std::string topic("/first/objects");
+    pnh_.getParam("topic", topic);
+    sub_ = nh_.subscribe(topic, 1, &First::heard, this);
+  }
+  void heard(const std_msgs::String::ConstPtr & message) {}
+  ros::NodeHandle nh_, pnh_; ros::Subscriber sub_;
+  Second second_;
+};
+int main(int argc, char ** argv) {
+  ros::init(argc, argv, "demo");
+  First first;
+  ros::spin();
+}
+"""
+
+
+def test_the_default_of_one_read_is_not_that_of_another(workspace: Any) -> None:
+    """In ROS 1 each read of a parameter falls back to what it says itself: what another says is on no server."""
+    found = workspace.package({"src/demo.cpp": TWO_READS}, ros=1).interfaces()
+    assert {entry.name for entry in found if entry.role == "subscriber"} == {"/first/objects", "/second/objects"}

@@ -218,3 +218,28 @@ def test_each_of_two_servers_of_a_class_has_its_own_configuration(workspace: Any
     """Beside the server of another package's configuration stands nothing of this one's."""
     found = workspace.package(_catkin("src/demo.cpp", TWO_SERVERS), ros=1).interfaces()
     assert {entry.raw_name for entry in found if entry.role == "parameter"} == {"~own/gain"}
+
+
+CALLBACK = """
+#include <dynamic_reconfigure/server.h>
+#include <pkg/DemoConfig.h>
+class Planner {
+ public:
+  Planner() {
+    ros::NodeHandle own("~own");
+    server_ = std::make_shared<Settings>(own);
+  }
+  using Settings = dynamic_reconfigure::Server<pkg::DemoConfig>;
+  using OnSet = dynamic_reconfigure::Server<pkg::DemoConfig>::CallbackType;
+  std::shared_ptr<Settings> server_;
+  OnSet on_set_;
+};
+int main(int c, char ** v) { ros::init(c, v, "demo"); Planner planner; ros::spin(); }
+"""
+
+
+def test_what_a_server_calls_a_type_is_no_server(workspace: Any) -> None:
+    """A member whose type is an alias of the callback's type makes no second server below the node itself."""
+    found = workspace.package(_catkin("src/demo.cpp", CALLBACK), ros=1).interfaces()
+    assert {entry.raw_name for entry in found if entry.role == "parameter"} == {"~own/gain"}
+    assert {entry.raw_name for entry in found if entry.role == "service_server"} == {"~own/set_parameters"}

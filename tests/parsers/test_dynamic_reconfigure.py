@@ -50,6 +50,13 @@ def test_imported_parameters_are_reported() -> None:
     assert ("cfg-imported-parameters", 8) in [(d.code, d.line) for d in parsed.diagnostics]
 
 
+def test_signs_of_numbers() -> None:
+    """A number may have either sign."""
+    text = b'gen.add("a", double_t, 0, "", +1.5, -2.0, +2.0)\nexit(gen.generate("p", "n", "C"))\n'
+    (found,) = parse_dynamic_reconfigure(text).facts.parameters
+    assert (found.default, found.min, found.max) == (1.5, -2.0, 2.0)
+
+
 def test_configuration_without_a_name() -> None:
     """Without generate() the parameters are kept and the lack is diagnosed; an ini file has none."""
     parsed = parse_dynamic_reconfigure(b'gen.add("a", int_t, 0, "d", 1)\n')

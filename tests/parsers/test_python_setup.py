@@ -72,6 +72,16 @@ def test_spread_dictionaries() -> None:
     assert parse_setup_py(b"k = {'name': 'b'}\nsetup(version='1', **k)\n").facts.name == "b"
 
 
+def test_entries_that_are_set_one_by_one() -> None:
+    """What catkin gives, or a dictionary, can be filled before it is handed on; the last value counts."""
+    filled = b"d['packages'] = ['b']\nd['package_dir'] = {'': 'src'}\nsetup(**d)\n"
+    of_catkin = parse_setup_py(b"d = generate_distutils_setup(packages=['a'])\n" + filled).facts
+    of_table = parse_setup_py(b"d = {}\n" + filled).facts
+    assert (of_catkin.packages, of_catkin.package_dir) == (("b",), {"": "src"})
+    assert (of_table.packages, of_table.package_dir) == (("b",), {"": "src"})
+    assert parse_setup_py(b"setup()\nd[0] = 1\nd[a][b] = 2\nself.d['x'] = 3\n").facts.packages == ()
+
+
 def test_setup_cfg() -> None:
     """setup.cfg gives names, folders with their case, and entry points with lines."""
     text = b"""[metadata]

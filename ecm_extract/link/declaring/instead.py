@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
+from ecm_parsers.source.flow import Branch, steps
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.walk import names_in
 
 
 def returned_instead(call: Invocation, out: Expr | None) -> Expr | None:
@@ -46,10 +48,43 @@ def assigned_instead(call: Invocation, out: Expr, at: int) -> Expr | None:
 def given_instead(call: Invocation, out: Expr | None) -> Expr | None:
     """Return what a helper returns where nobody set the parameter that it reads; None where that is not stated."""
     instead = returned_instead(call, out)
-    if instead is not None or out is None or not is_denied(call):
+    if instead is not None or out is None or not _returns_only(call, out):
         return instead
-    returned = [statement.value for statement in call.func.fact.body if statement.kind == "return"]
-    return assigned_instead(call, out, call.at) if returned == [out] else None
+    return (assigned_instead(call, out, call.at) if is_denied(call) else None) or kept_instead(call, out)
+
+
+def kept_instead(call: Invocation, out: Expr) -> Expr | None:
+    """Return the parameter that a helper begins its variable with, where that is returned as it is if nothing is read.
+
+    `T value = other; if (!read(name, value)) { warn(); } return value;`: a branch that does anything may end the run.
+    """
+    body = call.func.fact.body
+    given = {parameter.name for parameter in call.func.fact.params}
+    begun = [statement for statement in body if statement.target == out]
+    if len(begun) != 1 or begun[0].kind != "let" or begun[0].depth or not _returns_only(call, out):
+        return None
+    value, between = begun[0].value, body[body.index(begun[0]) + 1 : call.at]
+    untouched = isinstance(out, Name) and not any(out.id in names_in(statement.value) for statement in between)
+    plainly = untouched and _does_nothing(call)
+    return value if plainly and isinstance(value, Name) and value.id in given else None
+
+
+def goes_on(call: Invocation) -> bool:
+    """Tell whether a function goes on where the parameter of a condition is not set, as if nobody had asked."""
+    asked = (step for step in steps(call.func.fact.flow) if isinstance(step, Branch))
+    return is_denied(call) and any(step.test == call.statement.value and not step.then for step in asked)
+
+
+def _returns_only(call: Invocation, out: Expr) -> bool:
+    """Whether a variable is all that a function returns."""
+    return [statement.value for statement in call.func.fact.body if statement.kind == "return"] == [out]
+
+
+def _does_nothing(call: Invocation) -> bool:
+    """Whether what follows a read up to the return is nothing: it is asked for alone, or by a branch without calls."""
+    after = call.func.fact.body[call.at + 1 :]
+    alone = isinstance(call.statement.value, Call) and call.statement.kind == "do" and not call.statement.depth
+    return (alone or is_denied(call)) and [statement.kind for statement in after] == ["return"]
 
 
 def _assigned(call: Invocation) -> Expr | None:

@@ -8,7 +8,7 @@ from functools import reduce
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op
 
 from ecm_extract.link.code.calls import Invocation, invocations
-from ecm_extract.link.code.spelling import last_name, plain, pointee
+from ecm_extract.link.code.spelling import by_value, last_name, plain, pointee
 from ecm_extract.link.code.texts import text_arguments
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.declaring.client_libraries import is_client_library
@@ -127,7 +127,7 @@ class Matcher:
             return False
         target = self.folder.program.alias(path, call.func.file, env.scope)
         if target is not None:
-            return _qualified(plain(target), form.callee)
+            return by_value(target) and _qualified(plain(target), form.callee)
         namespace = form.callee.rsplit("::", 1)[0]
         usings = (using.namespace for using in call.func.file.facts.usings if using.holds_in(call.func.scope))
         return any(using == namespace or using.endswith("::" + namespace) for using in usings)

@@ -198,7 +198,7 @@ class Sites:
                 if is_of_parameter(call):
                     handing = self._callers(wider)
                     yield from (each for each in handing if given(root, call, each.places[1]) is not None)
-                elif not self._names_an_instance(wider, root):
+                elif not (self._names_an_instance(wider, root) and self._depends(site)):
                     yield wider
 
     def entering(self, site: Site) -> Iterator[tuple[Func, bool]]:
@@ -211,6 +211,10 @@ class Sites:
         """Tell whether a method runs on plugins, its class or one that derives from it being one."""
         cls = func.cls
         return cls is not None and any(each in self.plugins for each in (cls, *self.program.derived(cls)))
+
+    def _depends(self, site: Site) -> bool:
+        """Tell whether whoever calls the outermost function of a site has a say in its name."""
+        return any(value.open("param") for value in self.names(site))
 
     def _names_an_instance(self, site: Site, func: Func) -> bool:
         """Tell whether the host of a plugin gives its method a name that only the configuration knows."""

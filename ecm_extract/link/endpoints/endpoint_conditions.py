@@ -106,9 +106,15 @@ def _by_name(entries: Iterable[Interface]) -> Mapping[str, str]:
     found: dict[str, set[str]] = defaultdict(set)
     for entry in entries:
         if entry.row.value:
-            for name in (entry.name, entry.raw_name, entry.raw_name.lstrip("~/"), entry.name.rpartition("/")[2]):
+            for name in (entry.name, entry.raw_name, *_below_handles(entry.raw_name), entry.name.rpartition("/")[2]):
                 found[name].add(entry.name)
     return {name: next(iter(meant)) for name, meant in found.items() if len(meant) == 1}
+
+
+def _below_handles(raw: str) -> Iterator[str]:
+    """What a source may write of a name whose beginning a handle gives: all that stands behind a slash of it."""
+    parts = raw.lstrip("~/").split("/")
+    return ("/".join(parts[at:]) for at in range(len(parts)))
 
 
 def _renamed(entry: Interface, parameters: Mapping[str, str], topics: Mapping[str, str]) -> Interface:

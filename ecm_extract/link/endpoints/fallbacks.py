@@ -8,7 +8,8 @@ from __future__ import annotations
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.declaring.instead import assigned_instead, is_denied, returned_instead
+from ecm_extract.link.declaring.handed_instead import handed_instead
+from ecm_extract.link.declaring.instead import assigned_instead, goes_on, is_denied, returned_instead
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
@@ -21,8 +22,10 @@ def fallback(site: Site, at: int, folder: Folder) -> Expr | None:
     instead = returned_instead(site.call, out)
     if instead is not None or site.form.default or not isinstance(out, Name | Member):
         return instead
+    if goes_on(site.call):
+        return _held_before(out, site.env, folder)
     if is_denied(site.call):
-        return assigned_instead(site.call, out, at)
+        return assigned_instead(site.call, out, at) or handed_instead(site.call, out)
     plainly = isinstance(site.call.statement.value, Call) and site.call.statement.kind == "do"
     return _held_before(out, site.env, folder) if plainly else None
 

@@ -77,7 +77,7 @@ def _items(expr: Expr, env: Env, folder: Folder) -> Sequence[Bound] | None:
 
 def _known(values: Sequence[Value]) -> Any:
     """The data of one value that is known, of a parameter its default."""
-    if len(values) != 1 or values[0].confidence == "pattern":
+    if len(values) != 1 or values[0].confidence in {"pattern", "one_of"}:
         return UNKNOWN
     data = data_in(values[0])
     if data is NULL or isinstance(data, Enumerator):

@@ -66,6 +66,9 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
         "max": lambda data: max(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
     }
 )
+_CPP_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
+    {"bool": lambda data: truth(data[0], False) if len(data) == 1 else UNKNOWN}
+)
 _PATH_JOINS = shipped_names(_TABLE, "paths")
 _PROPERTIES = shipped_names(_TABLE, "properties")
 _ENVIRONMENT = shipped_names(_TABLE, "environment")
@@ -197,7 +200,8 @@ class CallFolder:
         bound = None if python else limit(call.path, call.types)
         if bound is not None:
             return (constant(bound),)
-        work = _PYTHON_FUNCTIONS.get(call.path) if python and call.receiver is None else None
+        table = _PYTHON_FUNCTIONS if python else _CPP_FUNCTIONS
+        work = table.get(call.path) if call.receiver is None else None
         if work is not None and not call.keywords:
             return self.folder.combined([self.folder.fold(arg, env) for arg in call.args], work, call.last)
         if call.receiver is not None and call.last in {"at", "front", "back", "get"}:

@@ -209,7 +209,8 @@ class HeldFolder:
         values = self.folder.calls.parameter_value(held.expr, held.more, env)
         kept = self._before(held, env) if held.before and held.more is None else ()
         kept = tuple([value for value in kept if value.text and value.confidence != "pattern"])
-        if any(value.confidence == "pattern" for value in values) and kept:
+        lasts = env.func.file.ros == 1  # there a default of another read is known to nobody but that one
+        if kept and (lasts or any(value.confidence == "pattern" for value in values)):
             return self.folder.calls.kept_value(held.expr, kept, env)
         return values
 

@@ -12,6 +12,7 @@ from ecm_parsers.source.expr import Expr
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import is_node_interface, plain, pointee
 from ecm_extract.link.code.units import Cls
+from ecm_extract.link.index.library_functions import library_function
 from ecm_extract.link.index.module_kinds import class_kind, is_node_base
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.object_states import is_own
@@ -31,9 +32,10 @@ _NAMESPACE_OF_HANDLE: Final = "getNamespace"
 
 def told_by_node(call: Invocation, env: Env, folder: Folder) -> Value | None:
     """Return what a call of no function of the tree gives that a node answers; None where no node does."""
-    if call.path in _NAMES or (call.last in _OWN_NAMES and _may_be_node(call.receiver, env, folder)):
+    named = library_function(call, _NAMES | _NAMESPACES, env.scope, folder.program)
+    if named in _NAMES or (call.last in _OWN_NAMES and _may_be_node(call.receiver, env, folder)):
         return node_name()
-    if call.path in _NAMESPACES or (call.last == "get_namespace" and _may_be_node(call.receiver, env, folder)):
+    if named in _NAMESPACES or (call.last == "get_namespace" and _may_be_node(call.receiver, env, folder)):
         return node_namespace()
     if call.last == _WITH_SUB_NODES and _may_be_node(call.receiver, env, folder):
         return _effective_namespace(call.receiver, env, folder)

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from ecm_extract.link.code.beginnings import beginnings
 from ecm_extract.link.code.calls import Invocation, invocations
-from ecm_extract.link.code.spelling import last_name, plain, template_arguments
+from ecm_extract.link.code.spelling import by_value, last_name, plain, template_arguments
 from ecm_extract.link.index.program import Program
 
 
@@ -42,8 +42,8 @@ def _add_meant(call: Invocation, program: Program, index: dict[str, list[Invocat
     if call.receiver is not None:
         return
     target = program.alias(call.path, call.func.file, call.func.scope)
-    if target is None:
-        return
+    if target is None or not by_value(target):
+        return  # a pointer, or what a template calls a type, such as that of its callbacks
     types = call.types or template_arguments(target)
     cls = program.class_named(call.path, call.func.file, call.func.scope)
     if cls is not None:

@@ -148,14 +148,15 @@ class Handles:
                 if parameter.name == expr.id and parameter.default is not None:
                     return self._known(parameter.default, Env(env.func, 0), 1)
                 if parameter.name == expr.id and self._is_handle(parameter.type, env):
-                    return self._handed(expr.id, env.func)
+                    return self._handed(expr.id, env)
         written = self.folder.objects.type_of(expr, env)
         if not written or plain(written) == "auto":
             return None if not self._is_text(expr, env) else OWN
         return OWN if by_value(written) or not self._is_handle(written, env) else None
 
-    def _handed(self, parameter: str, func: Func) -> Handle | None:
+    def _handed(self, parameter: str, env: Env) -> Handle | None:
         """What a library, or the hosts in the tree, give a method that they call without knowing its class."""
+        func = env.func
         below = given_namespace(func, parameter, self.folder.program)
         if below is not None:
             return Handle(below)
@@ -163,7 +164,9 @@ class Handles:
             return None
         self._handing.add((func, parameter))
         try:
-            return _agreed([self._known(bound.expr, bound.env, 0) for bound in self.hosts.of(func, parameter)])
+            return _agreed(
+                [self._known(bound.expr, bound.env, 0) for bound in self.hosts.of(func, parameter, env.this)]
+            )
         finally:
             self._handing.discard((func, parameter))
 

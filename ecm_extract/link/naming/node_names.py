@@ -15,6 +15,7 @@ from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.index.library_functions import library_function
 from ecm_extract.link.index.module_kinds import is_node_base
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, Instance
@@ -148,7 +149,8 @@ class NodeNames:
         return self._free.get(file, ())
 
     def _initialised(self, call: Invocation) -> NodeName | None:
-        index = next((at for path, at in _INITS.items() if call.path == path or call.path.endswith("::" + path)), None)
+        named = library_function(call, _INITS.keys(), call.func.scope, self.folder.program)
+        index = _INITS[named] if named is not None else None
         if index is None and (is_node_base(call.path) and call.receiver is None):
             index = 0
         if index is None or index >= len(call.args):

@@ -35,19 +35,20 @@ class BaseTypes:
         given = self._given.get((owner, cls))
         if given is None:
             self._given[owner, cls] = _NOTHING  # classes that derive from each other in a circle
-            given = self._given[owner, cls] = self._arguments(owner, cls)
+            given = self._given[owner, cls] = self._arguments(owner, cls, frozenset())
         return _WORD.sub(lambda word: given.get(word[0], word[0]), written) if given else written
 
-    def _arguments(self, owner: Cls, cls: Cls) -> Mapping[str, str]:
+    def _arguments(self, owner: Cls, cls: Cls, below: frozenset[Cls]) -> Mapping[str, str]:
         """Template parameter of a base -> what a class gives it, by itself or through bases between them."""
+        seen = below | {cls}  # a template may derive from itself with other arguments
         for written in cls.fact.bases:
             parent = self.program.class_named(plain(written), cls.file, cls.fact.scope)
-            if parent is not None and owner in self.program.ancestry(parent):
+            if parent is not None and parent not in seen and owner in self.program.ancestry(parent):
                 passed = [self._meant(each, cls) for each in template_arguments(written)]
                 if parent is owner:
                     return dict(zip(owner.fact.template, passed, strict=False))
                 own = dict(zip(parent.fact.template, passed, strict=False))
-                further = self._arguments(owner, parent)
+                further = self._arguments(owner, parent, seen)
                 return {name: own.get(each, each) for name, each in further.items()}
         return _NOTHING
 

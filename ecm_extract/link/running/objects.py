@@ -276,8 +276,7 @@ class Objects:
         named = class_asked(call, self.program)
         if call.receiver is not None:
             return self._methods(call, self.class_of(call.receiver, env.before(env.at)) or named)
-        named = named or self._named_base(call, env) or env.this or env.func.cls
-        return self._methods(call, named) or self._free(call, env)
+        return self._methods(call, named or self._class_at_hand(call, env)) or self._free(call, env)
 
     def _methods_of_base(self, call: Invocation, own: Cls) -> Sequence[Func]:
         """`super().name()` means that of the first base, `Base.name(self)` that of the named one."""
@@ -288,12 +287,13 @@ class Objects:
         found = self._methods(call, named)
         return [func for func in found if "static" not in func.fact.traits]  # that is given the object in its place
 
-    def _named_base(self, call: Invocation, env: Env) -> Cls | None:
-        """`Base::name()` means that of the base, whatever a derived class has."""
+    def _class_at_hand(self, call: Invocation, env: Env) -> Cls | None:
+        """`Base::name()` means that of the base, whatever a derived class has, `library::name()` none of them."""
         owner = env.this or env.func.cls
         qualifier = last_name(call.path.rpartition("::")[0])
-        lineage = self.program.ancestry(owner) if owner is not None and qualifier else ()
-        return next((entry for entry in lineage if entry.fact.name == qualifier), None)
+        if not qualifier or owner is None:
+            return owner
+        return next((entry for entry in self.program.ancestry(owner) if entry.fact.name == qualifier), None)
 
     def _methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
         """The methods of an object's class, or else of its nearest base, that fit a call."""
@@ -303,11 +303,10 @@ class Objects:
 
     def _free(self, call: Invocation, env: Env) -> Sequence[Func]:
         """The functions outside of classes, or methods named with their class, that a call can mean."""
-        free = self.program.functions_named(call.path, call.func.file, env.scope)
         owner = self.program.class_named(call.path.rpartition("::")[0], call.func.file, env.scope)
         methods = self.program.ancestry(owner) if owner is not None else ()
         named = [func for cls in methods for func in cls.methods if func.fact.name == call.last]
-        return _fitting(call, [*free, *named])
+        return _fitting(call, [*self.program.functions_named(call.path, call.func.file, env.scope), *named])
 
 
 def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:

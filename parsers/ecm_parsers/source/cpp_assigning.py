@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 _ASSIGNING = frozenset({"-=", "*=", "/=", "%=", "|=", "&=", "^=", "<<=", ">>="})
 _LOGGING = (b"RCLCPP_", b"ROS_", b"RCUTILS_", b"ASSERT_", b"EXPECT_")
-_ASSERTING = b"ROS_ASSERT"
-"""Macros of ros/assert.h: what they ask for are settings as well as errors."""
+_ASSERTING = (b"ROS_ASSERT", b"ROS_BREAK")
+"""Macros of ros/assert.h: what they ask for are settings as well as errors, and some end the program."""
 
 
 class Assigning:
