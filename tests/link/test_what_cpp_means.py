@@ -9,6 +9,13 @@ import pytest
 NODE = """
 #include <rclcpp/rclcpp.hpp>
 #include <std_msgs/msg/string.hpp>
+namespace names {{
+const std::string ROOT = "root";
+const std::string BELOW = ROOT + "/below";
+const std::string LIST[] = {{ROOT, BELOW}};
+}}
+const std::string ROOT = "other";
+inline std::string operator"" _t(const char * text, size_t) {{ return std::string("t_") + text; }}
 inline void spoil(char * text) {{ text[0] = 'q'; }}
 class Demo : public rclcpp::Node {{
 public:
@@ -38,6 +45,21 @@ ROWS = [
     ("a short fraction", 'float n = 0.1; double m = n; pub("n" + std::to_string(m * 10000000));', "n1000000.014901"),
     ("names of parts that change", 'std::pair<std::string, int> p{"a", 1}; auto & [x, y] = p; x = "b"; pub(p.first);', OPEN),
     ("names of parts of a copy", 'std::pair<std::string, int> p{"a", 1}; auto [x, y] = p; x = "b"; pub(p.first);', "a"),
+    ("counted in an argument", 'int i = 0; use(std::to_string(i++)); pub("n" + std::to_string(i));', "n1"),
+    ("counted before it is used", 'int i = 0; pub("n" + std::to_string(++i));', "n1"),
+    ("used before it is counted", 'int i = 0; pub("n" + std::to_string(i++));', "n0"),
+    ("counted in an index", 'std::vector<std::string> v{"a", "b"}; int n = 0; std::string w = v[n++]; pub(w + v[n]);', "ab"),
+    ("counted in a condition", 'int n = 3; while (n-- > 1) {} pub("n" + std::to_string(n));', OPEN),
+    ("counted behind a body", 'int n = 2; do { s += "x"; } while (--n); pub(s);', "xx"),
+    ("counted by a lambda", 'int k = 0; auto next = [&k]() { return ++k; }; next(); pub("k" + std::to_string(k));', "k1"),
+    ("given in an expression", 'int b = 1; int c = (b = 7) + 1; pub("n" + std::to_string(b) + std::to_string(c));', "n78"),
+    ("perhaps counted", 'int n = 1; if (other() && n++) {} pub("n" + std::to_string(n));', OPEN),
+    ("counted beside a use", 'int n = 1; pub("n" + std::to_string(n++) + std::to_string(n));', OPEN),
+    ("a constant of a namespace", "pub(names::BELOW);", "root/below"),
+    ("a list of a namespace", "pub(names::LIST[1]);", "root/below"),
+    ("a literal of a type of its own", 'pub("a"_t);', OPEN),
+    ("the object by another name", 'auto me = this; me->own_ = "new"; pub(own_);', "new"),
+    ("a pack", 'auto add = [&s](auto... more) { ((s += more), ...); }; s = "a"; add("b"); pub(s);', OPEN),
     ("a cast", 'int n = -1; pub("n" + std::to_string(static_cast<unsigned>(n)));', "n4294967295"),
     ("a map has an order", 'std::map<std::string, int> m{{"b", 1}, {"a", 2}}; for (auto & p : m) s += p.first; pub("m" + s);', "mab"),
     ("a set has an order", 'std::set<std::string> m{"b", "a", "b"}; for (const auto & p : m) s += p; pub("m" + s);', "mab"),

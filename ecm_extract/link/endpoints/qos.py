@@ -245,8 +245,9 @@ class QosReader:
 
     def _constant(self, expr: Name | Member, name: str, env: Env, level: int) -> dict[str, Any]:
         constant = self.folder.scope.constant(name, env)
-        value = constant[0].value if constant is not None else None
-        return self.policies(value, env, level + 1) if value is not None else self._unseen(expr, env)
+        if constant is None or constant[0].value is None:
+            return self._unseen(expr, env)
+        return self.policies(constant[0].value, self.folder.names.stated_at(*constant, env), level + 1)
 
     def chain(self, expr: Expr, env: Env) -> dict[str, Any]:
         """Return what setters set, one after the other."""

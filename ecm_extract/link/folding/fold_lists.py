@@ -244,7 +244,7 @@ class ListFolder:
         found = self.folder.scope.constant(expr.id, env)
         if found is None or self.folder.names.may_change(expr.id, found[0], env):
             return None
-        return self.items(found[0].value, Env(env.func, 0, depth=env.depth + 1))
+        return self.items(found[0].value, self.folder.names.stated_at(*found, env))
 
     def given(self, key: str, env: Env, first: bool) -> list[Bound] | None:
         """Return the elements of a list that a variable is which the function did not change, `first`: yet."""

@@ -11,10 +11,10 @@ from ecm_parsers.source.expr import (
     Expr,
     Name,
 )
-from ecm_parsers.source.facts import Constant
+from ecm_parsers.source.facts import Constant, Function
 
 from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.code.units import File
+from ecm_extract.link.code.units import File, Func
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.module_variables import ModuleVariables
 from ecm_extract.link.running.values import (
@@ -48,6 +48,7 @@ class NameFolder:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.variables = ModuleVariables(folder)
+        self._scopes: dict[tuple[File, str], Func] = {}
 
     def name(self, expr: Name, env: Env) -> tuple[Value, ...]:
         """A variable, a parameter, a member of `this`, or a constant."""
@@ -140,10 +141,19 @@ class NameFolder:
         constant, file = found
         if constant.value is None:
             return (Value((f"{constant.scope}::{constant.name}",), "literal", (), Enumerator(constant)),)
-        values = demoted(self.folder.fold(constant.value, Env(self.at_file(file, env).func, depth=env.depth + 1)))
+        values = demoted(self.folder.fold(constant.value, self.stated_at(constant, file, env)))
         if "default" in constant.traits:
             values = lowered(values, "default")
         return alternatives((*values, unknown(name))) if self.may_change(name, constant, env) else values
+
+    def stated_at(self, constant: Constant, file: File, env: Env) -> Env:
+        """Return a place at which names mean what they mean in the value of a constant: in its namespace or class."""
+        if file.language != "cpp":
+            return Env(self.at_file(file, env).func, depth=env.depth + 1)
+        place = (file, constant.scope)
+        if place not in self._scopes:
+            self._scopes[place] = Func(Function("", constant.scope, (), "", 0, 0), file)
+        return Env(self._scopes[place], depth=env.depth + 1)
 
     def may_change(self, name: str, constant: Constant, env: Env) -> bool:
         """Tell whether a variable of a namespace may hold something else than what it is declared with."""

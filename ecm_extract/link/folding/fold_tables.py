@@ -98,7 +98,7 @@ class TableFolder:
         found = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
         if found is not None and found[0].value is not None and "map" in found[0].type:
             fixed = not self.folder.names.may_change(found[0].name, found[0], env)
-            return self._pairs(found[0].value, Env(env.func, 0, depth=env.depth + 1)) if fixed else None
+            return self._pairs(found[0].value, self.folder.names.stated_at(*found, env)) if fixed else None
         return None
 
     def _entries_of_call(self, expr: Call, env: Env) -> list[Entry] | None:

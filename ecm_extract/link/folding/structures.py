@@ -319,7 +319,7 @@ class StructureFolder:
             return given
         found = self.folder.scope.constant(expr.id, env)
         value = found[0].value if found is not None else None
-        return Bound(value, self.folder.names.at_file(found[1], env).deeper(env.depth + 1)) if found and value else None
+        return Bound(value, self.folder.names.stated_at(*found, env)) if found and value else None
 
     def listed(self, expr: Member, env: Env) -> Bound | None:
         """Return the list that a field of a variable of a namespace is which nobody changes; None of other objects."""

@@ -147,7 +147,7 @@ class Origins:
         assigned = list(self._assigned(name, env))
         stated = self.folder.objects.file_scope.meant(name, env.func) if assigned else None
         if stated is not None and stated.constant.value is not None:
-            place = Env(self.folder.names.at_file(stated.file, env).func, depth=env.depth + 1)
+            place = self.folder.names.stated_at(stated.constant, stated.file, env)
             yield Held("value", name, stated.constant.value, place), place
         yield from assigned
 

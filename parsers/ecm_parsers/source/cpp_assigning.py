@@ -43,11 +43,27 @@ class Assigning:
             for child in node.named_children:
                 self.expression(child)
             return
+        if node.type == "fold_expression":
+            self._folded(node)
+            return
         counter = node.child_by_field_name("argument") if node.type == "update_expression" else None
         if counter is not None:
             self._counted(node, self.expr.read(counter))
             return
         self.effect(node, self.expr.read(node))
+
+    def _folded(self, node: Node) -> None:
+        """`((out += rest), ...);` leaves what nobody knows: it is done for each of a pack. Source: [expr.prim.fold]."""
+        for side in (node.child_by_field_name("left"), node.child_by_field_name("right")):
+            while side is not None and side.type == "parenthesized_expression":
+                side = next(iter(side.named_children), None)
+            if side is None:
+                continue
+            changed = side.child_by_field_name("left") if side.type == "assignment_expression" else side
+            if side.type == "call_expression":
+                self.expression(side)
+            elif changed is not None:
+                self._set(node, self.expr.read(changed), Opaque("..."))
 
     def _logs(self, at: int) -> bool:
         """Whether a call says something and does nothing else."""

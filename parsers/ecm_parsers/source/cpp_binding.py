@@ -55,6 +55,8 @@ class Binding:
             self.named_lambda(name, value)
             return
         array_of = bound if value is not None else declarator
+        if value is not None and _is_own_object(value, bound):
+            self.expr.own.add(name)
         size = characters(self.expr, kind, array_of)
         if size is not None:
             self.buffers[name] = size
@@ -124,6 +126,13 @@ class Binding:
     def _made(self, kind: Node, args: tuple[Expr, ...]) -> Call:
         """The call that makes an object of a type."""
         return Call(Name(self.expr.name(kind)), args, (), self.expr.template_arguments(kind), line_of(kind))
+
+
+def _is_own_object(value: Node, bound: Node) -> bool:
+    """Tell whether a variable is another name of the object at hand: `auto self = this;`, `auto & self = *this;`."""
+    pointed = value.child_by_field_name("argument") if value.type == "pointer_expression" else None
+    is_reference = bound.type == "reference_declarator" and pointed is not None and pointed.type == "this"
+    return value.type == "this" or is_reference
 
 
 def _qualifier(reader: ExprReader, declaration: Node) -> str:

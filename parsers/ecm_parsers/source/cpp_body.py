@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.cpp_assigning import Assigning
 from ecm_parsers.source.cpp_binding import Binding
 from ecm_parsers.source.cpp_captures import capturing, initial_captures
+from ecm_parsers.source.cpp_changes import Changes
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_heads import hides, macro_test
@@ -47,10 +48,11 @@ class BodyReader:
     """
 
     def __init__(self, data: bytes, scope: str, declared: DeclaredFunctions) -> None:
-        self.expr = ExprReader(data, self._lambda_body, self._called_lambda, self._handed_lambda)
+        self.writer = StatementWriter()
+        within = Changes(self.writer).within
+        self.expr = ExprReader(data, self._lambda_body, self._called_lambda, self._handed_lambda, within)
         self.scope = scope
         self.declared = declared
-        self.writer = StatementWriter()
         self.functions: list[Function] = []
         self.local_names: list[Node] = []
         self._binding = Binding(self.expr, self.writer, self._named_lambda)
@@ -63,14 +65,13 @@ class BodyReader:
         if self._nesting >= MAX_NESTING:
             return
         self._nesting += 1
-        kind = node.type
-        if kind == "compound_statement" and self._nesting > 1 and not self._entering:
+        if node.type == "compound_statement" and self._nesting > 1 and not self._entering:
             self.writer.step(Branch(_TRUE, self._inner(node, deeper=0)))
-        elif kind in _BLOCKS:
+        elif node.type in _BLOCKS:
             self._entering = False
             for child in node.named_children:
                 self.read(child)
-        elif (step := _STEPS.get(kind)) is not None:
+        elif (step := _STEPS.get(node.type)) is not None:
             hiding = hides(self.expr, node, self.writer.statements)
             if hiding:
                 self.writer.begin()
@@ -124,20 +125,20 @@ class BodyReader:
         return Case((test,), self._inner(node.child_by_field_name("consequence"), deeper=0))
 
     def _while(self, node: Node) -> None:
+        asked, first = node.child_by_field_name("condition"), node.type == "do_statement"
         self.writer.depth += 1
-        if node.type == "do_statement":
-            body = self._inner(node.child_by_field_name("body"), deeper=0)
-            test, again = self._asked_again(node)
-        else:
-            test, again = self._asked_again(node)
-            body = self._inner(node.child_by_field_name("body"), deeper=0)
+        test, again = (None, ()) if first else self._asked_again(asked)
+        body = self._inner(node.child_by_field_name("body"), deeper=0)
+        if first:
+            self.writer.begin()
+            test, again = self._condition(asked), self.writer.end()
         self.writer.depth -= 1
-        self.writer.step(Loop(-1, test, body, again, first=node.type == "do_statement"))
+        self.writer.step(Loop(-1, test, body, again, first=first))
 
-    def _asked_again(self, node: Node) -> tuple[Expr, Block]:
+    def _asked_again(self, asked: Node | None) -> tuple[Expr, Block]:
         """Return the condition of a loop, and what it assigns each time that it is asked."""
         before = len(self.writer.statements)
-        test = self._condition(node.child_by_field_name("condition"))
+        test = self._condition(asked)
         return test, self.writer.assigned_since(before)
 
     def _for(self, node: Node) -> None:
@@ -146,13 +147,13 @@ class BodyReader:
         if start is not None:
             self.read(start) if start.type == "declaration" else self._assigning.expression(start)
         asked = node.child_by_field_name("condition")
-        test = self._condition(asked) if asked is not None else None
+        test, again = self._asked_again(asked) if asked is not None else (None, ())
         body = self._inner(node.child_by_field_name("body"), deeper=0)
         self.writer.begin()
         if update is not None:
             self._assigning.expression(update)
         self.writer.depth -= 1
-        self.writer.step(Loop(-1, test, body, self.writer.end()))
+        self.writer.step(Loop(-1, test, body, (*self.writer.end(), *again)))
 
     def _for_each(self, node: Node) -> None:
         self.writer.depth += 1

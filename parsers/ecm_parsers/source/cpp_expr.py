@@ -51,6 +51,8 @@ class ExprReader:
         inline: called with each lambda that has a body, on the way.
         called: called with each lambda that is called where it stands; gives the function that it is read as.
         handed: called with every other one; gives what it is where it is read as a function as well.
+        own: variables that are the object at hand by another name.
+        changed: called with what changes a variable; gives what the expression gets, None for no change within one.
     """
 
     def __init__(
@@ -59,11 +61,14 @@ class ExprReader:
         inline: Callable[[Node], None],
         called: Callable[[Node], str] | None = None,
         handed: Callable[[Node], Lambda | None] | None = None,
+        changed: Callable[[ExprReader, Node], Expr | None] | None = None,
     ) -> None:
         self.data = data
         self.inline = inline
         self.called = called
         self.handed = handed
+        self.changed = changed
+        self.own: set[str] = set()
         self._depth = 0
 
     def text(self, node: Node) -> str:
@@ -129,7 +134,8 @@ _TEMPLATED = frozenset({"template_function", "template_type", "template_method"}
 
 
 def _name(reader: ExprReader, node: Node) -> Expr:
-    return Name(reader.name(node))
+    name = reader.name(node)
+    return Name("this" if name in reader.own else name)
 
 
 def _field(reader: ExprReader, node: Node) -> Expr:
@@ -195,7 +201,13 @@ def _binary(reader: ExprReader, node: Node) -> Expr:
 
 
 def _assignment(reader: ExprReader, node: Node) -> Expr:
-    return _binary(reader, node)
+    changed = reader.changed(reader, node) if reader.changed is not None else None
+    return _binary(reader, node) if changed is None else changed
+
+
+def _update(reader: ExprReader, node: Node) -> Expr:
+    changed = reader.changed(reader, node) if reader.changed is not None else None
+    return Opaque(reader.text(node)[:80]) if changed is None else changed
 
 
 def _unary(reader: ExprReader, node: Node) -> Expr:
@@ -291,6 +303,7 @@ _READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
     "compound_literal_expression": _compound,
     "binary_expression": _binary,
     "assignment_expression": _assignment,
+    "update_expression": _update,
     "unary_expression": _unary,
     "pointer_expression": _unary,
     "conditional_expression": _conditional,

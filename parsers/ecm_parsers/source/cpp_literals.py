@@ -28,6 +28,7 @@ _ESCAPES = {
     "?": "?",
 }
 _CODE = re.compile(r"\\(?:x(?P<hex>[0-9a-fA-F]{1,8})|[uU](?P<unicode>[0-9a-fA-F]{4,8})|(?P<octal>[0-7]{1,3}))")
+_OF_TEXTS = frozenset({"s", "sv", ""})
 _OCTAL = re.compile(r"0[0-7']+[uUlL]*")
 _DIGITS = re.compile(r"^-?[\d'.]+(?:[eE][+-]?\d+)?")
 
@@ -84,13 +85,15 @@ def _number(text: str) -> int | float | None:
 
 
 def user_literal(reader: ExprReader, node: Node) -> Expr:
-    """`100ms` is a call of its suffix, a text with a suffix the text."""
+    """`100ms` is a call of its suffix, and so is a text with one that is none of the standard's."""
     children = node.named_children
     suffix = next((reader.text(child) for child in children if child.type == "literal_suffix"), "")
     value = next((reader.read(child) for child in children if child.type != "literal_suffix"), None)
     if value is None:
         return number(reader, node)
-    return value if isinstance(value, Text) else Call(Name(suffix), (value,), line=node.start_point[0] + 1)
+    if isinstance(value, Text) and suffix in _OF_TEXTS:
+        return value
+    return Call(Name(suffix), (value,), line=node.start_point[0] + 1)
 
 
 def constant(reader: ExprReader, node: Node) -> Expr:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr
+from ecm_parsers.source.expr import Expr, Name
 from ecm_parsers.source.facts import Statement, StatementKind
 from ecm_parsers.source.flow import Block, FlowWriter, Step
 
@@ -51,7 +51,7 @@ class StatementWriter:
     def assigned_since(self, before: int) -> Block:
         """Return the assignments among the statements from an index on."""
         since = range(before, len(self.statements))
-        return tuple([at for at in since if self.statements[at].kind == "set"])
+        return tuple([at for at in since if self.statements[at].kind == "set" or _is_kept_value(self.statements[at])])
 
     def step(self, step: Step) -> None:
         """Add a step to the block at hand."""
@@ -82,3 +82,8 @@ def otherwise(node: Node) -> Node | None:
     if clause is None or clause.type != "else_clause":
         return clause
     return next((child for child in clause.named_children if child.type != "comment"), None)
+
+
+def _is_kept_value(statement: Statement) -> bool:
+    """Tell whether a statement keeps what an expression gets of a variable that it changes."""
+    return isinstance(statement.target, Name) and statement.target.id.startswith("#")
