@@ -41,8 +41,10 @@ class EndpointTypes:
         written = site.env.types.get(written, written)
         out = next(positions(site.form.out, site.call), None)
         declared = self._declared(written, site.env) or stated or self._out_type(out, site.env)
-        known = declared or (type_of_data(data) if data is not UNKNOWN else None)
-        known = known or self._default_type(default, site.env) or self._target_type(site)
+        own = self._default_type(default, site.env)
+        held = own if site.env.func.file.language == "cpp" and _is_listed(own, data) else None
+        known = declared or held or (type_of_data(data) if data is not UNKNOWN else None) or own
+        known = known or self._target_type(site)
         known = known or self._read_type(site) or self._described(site) or asked_type(site.call)
         known = known or self._partly_text(default, site.env)
         return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else _as_declared(data, known)
@@ -144,6 +146,12 @@ class EndpointTypes:
                 known = type_of_data(data) if data is not UNKNOWN else None
                 return known or self._default_type(bound.expr, bound.env)
         return None
+
+
+def _is_listed(own: str | None, data: Any) -> bool:
+    """Whether a default is a list or a number, of which its own type says what it holds: `vector<double>{1}`."""
+    numbers = isinstance(data, int) and not isinstance(data, bool) and own == "double"
+    return numbers or (isinstance(data, list) and own is not None and own.endswith("_array"))
 
 
 def _as_declared(data: Any, known: str | None) -> Any:

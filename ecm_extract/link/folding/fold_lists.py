@@ -21,7 +21,7 @@ from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.containers import begins_empty, is_container
-from ecm_extract.link.code.numbers import kind_of_type
+from ecm_extract.link.code.numbers import nothing_of
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.open_lists import OpenLists
@@ -39,9 +39,6 @@ from ecm_extract.link.running.values import (
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
-
-
-_ENDS = frozenset({"begin", "end", "rbegin", "rend", "cbegin", "cend"})
 
 
 class ListFolder:
@@ -278,41 +275,24 @@ class ListFolder:
             return self._made(call, env)
         return self._returned(call, env)
 
-    def _is_one(self, inner: Items, call: Invocation, env: Env) -> bool:
-        """Tell whether braces within braces are one element, and not the list: `vector<Row>{{"a", 1}}`."""
-        if call.path.endswith("map"):
-            return not isinstance(inner.items[0], Items) if inner.items else False
-        if any(isinstance(item, Items) for item in inner.items):
-            return False
-        return bool(call.types) and self.folder.objects.class_written(call.types[0], env) is not None
-
     def _made(self, call: Invocation, env: Env) -> list[Bound] | None:
-        """`vector{a, b}`, `vector<T>(other)`, `vector<T>(count, value)`; types tell braces from parentheses."""
+        """`vector{a, b}`, whose elements are one list, `vector(other)`, `vector<T>(count)`, `vector(count, value)`."""
         args = call.args
-        if len(args) == 1 and isinstance(args[0], Items) and self._is_one(args[0], call, env):
-            return [Bound(args[0], env)]
-        if len(args) == 1 and (isinstance(args[0], Items) or self.items(args[0], env) is not None):
-            return self.items(args[0], env)
-        texts = "string" in "".join(call.types) or "string" in call.statement.type
-        if len(args) == 2 and texts and any(map(_steps_on, args)):
-            return None
-        if len(args) == 2:
-            count = [value.data for value in self.folder.fold(args[0], env)]
-            if len(count) == 1 and isinstance(count[0], int) and not isinstance(count[0], bool):
-                return [Bound(args[1], env)] * count[0] if texts and 0 <= count[0] <= MAX_ITEMS else None
-        iterates = any(
-            isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in _ENDS for arg in args
-        )
-        copies = len(args) == 1 and not self._is_element(args[0], env)
-        return None if iterates or copies else [Bound(arg, env) for arg in args]
+        if len(args) == 1:
+            listed = self.items(args[0], env)
+            return listed if listed is not None else self._counted(args[0], None, call, env)
+        if len(args) == 2 and not any(map(_steps_on, args)):
+            return self._counted(args[0], args[1], call, env)
+        return None if args else []
 
-    def _is_element(self, arg: Expr, env: Env) -> bool:
-        """Tell whether what a list is made from is no other list, which it may be a copy of: a text or a number."""
-        written = self.folder.objects.type_of(arg, env)
-        if kind_of_type(written):
-            return True
-        listed = is_container(written) or (not written and isinstance(arg, Name | Member))
-        return not listed and all(value.confidence != "pattern" for value in self.folder.fold(arg, env))
+    def _counted(self, count: Expr, each: Expr | None, call: Invocation, env: Env) -> list[Bound] | None:
+        """So many of one value, without one of what an element is that is given nothing."""
+        known = self.folder.fold(count, env)
+        number = known[0].data if len(known) == 1 and is_proved(known[0]) else None
+        if not isinstance(number, int) or isinstance(number, bool) or not 0 <= number <= MAX_ITEMS:
+            return None
+        each = each if each is not None else nothing_of(call.types[0] if call.types else "")
+        return [Bound(each, env)] * number if each is not None else None
 
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
         """What a function of the tree returns, where one return is reached."""
