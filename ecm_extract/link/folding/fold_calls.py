@@ -23,6 +23,7 @@ from ecm_extract.link.folding import formats
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.running.env import Env, invocation_of
+from ecm_extract.link.running.other_nodes import asks_another_node
 from ecm_extract.link.running.own_names import node_namespace
 from ecm_extract.link.running.values import (
     Hole,
@@ -91,6 +92,9 @@ class CallFolder:
             images = self.folder.fold(call.args[0], env.before(env.at))
             return demoted(tuple([placed(value, CAMERA_INFO) for value in images]))
         read = self.folder.reads.read(call)
+        if read is not None and asks_another_node(call, env, self.folder.objects):
+            named = self.folder.fold(read[0], env.before(env.at))[0].text
+            return (unknown(named.rpartition(".")[2].strip("{}") or call.last),)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
         if call.path in _PATH_JOINS and call.args and not call.keywords:
