@@ -26,7 +26,7 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.open_lists import OpenLists
 from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
-from ecm_extract.link.folding.subscripts import character_of, part_of, slice_of
+from ecm_extract.link.folding.subscripts import character_of, part_of, slice_of, taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import (
     Value,
@@ -183,11 +183,19 @@ class ListFolder:
             data = [data_in(values[0]) if len(values) == 1 else UNKNOWN for values in bounds]
             found = slice_of(items, data, list)
             return found if isinstance(found, list) else None
-        data_ = [data_in(value) for value in self.folder.fold(index, env)]
-        at = data_[0] if len(data_) == 1 else UNKNOWN
-        if not isinstance(at, int) or not -len(items) <= at < len(items):
-            return None
-        return self.items(items[at].expr, items[at].env.deeper(env.depth + 1))
+        found_ = self._chosen(items, index, env)
+        return self.items(found_.expr, found_.env.deeper(env.depth + 1)) if found_ is not None else None
+
+    def element(self, expr: Expr, env: Env) -> Bound | None:
+        """Return the element of a list that `rows[1]` or `rows.at(1)` is; None where either is not known."""
+        found = taken(expr)
+        items = self.items(found[0], env) if found is not None else None
+        return self._chosen(items, found[1], env) if items is not None and found is not None else None
+
+    def _chosen(self, items: list[Bound], index: Expr, env: Env) -> Bound | None:
+        data = [data_in(value) for value in self.folder.fold(index, env)]
+        at = data[0] if len(data) == 1 else UNKNOWN
+        return items[at] if isinstance(at, int) and -len(items) <= at < len(items) else None
 
     def _of_variable(self, expr: Name | Member, env: Env) -> list[Bound] | None:
         ways = self.folder.flow.ways(expr, env)
@@ -198,6 +206,9 @@ class ListFolder:
             return self.items(given.expr, given.env.deeper(env.depth + 1))
         if isinstance(expr, Name) and expr.id in env.func.given:
             return None
+        begun = self._at_first(expr, env)
+        if begun is not None:
+            return begun
         found = self.sources(expr, env)
         if found:
             return self.folder.held.items(*found[0]) if len(found) == 1 else None
@@ -256,6 +267,14 @@ class ListFolder:
         default = self._default(Member(Name("this"), name), entry)
         empty = begins_empty(self.folder.scope.member_type(name, cls))
         return default if default is not None else [] if empty else None
+
+    def _at_first(self, expr: Name | Member, env: Env) -> list[Bound] | None:
+        """The elements of a member in a constructor that is run now, which gave it nothing yet, nor called who may."""
+        name, cls = expr.id if isinstance(expr, Name) else expr.name, env.func.cls
+        own = isinstance(expr, Name) or expr.base == Name("this")
+        if not own or cls is None or env.state is None or not env.func.is_constructor or env.state.called:
+            return None
+        return self.given(f".{name}", env, True) if self.folder.scope.member_type(name, cls) else None
 
     def _shared(self, name: str, env: Env) -> list[Bound] | None:
         """What all methods together leave a member with."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ecm_parsers.source.expr import Call, Expr, Member, Op
+
 from ecm_extract.infer.compute import NULL, UNKNOWN
 
 
@@ -27,3 +29,11 @@ def part_of(parts: object, at: int) -> object:
     """Return an element of a list."""
     listed = isinstance(parts, list | tuple) and -len(parts) <= at < len(parts)
     return parts[at] if isinstance(parts, list | tuple) and listed else UNKNOWN
+
+
+def taken(expr: Expr) -> tuple[Expr, Expr] | None:
+    """Return the list and the index of `list[index]` and `list.at(index)`; None of anything else."""
+    if isinstance(expr, Op) and expr.op == "[]" and len(expr.operands) == 2:
+        return expr.operands[0], expr.operands[1]
+    by_method = isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name == "at"
+    return (expr.callee.base, expr.args[0]) if by_method and len(expr.args) == 1 else None

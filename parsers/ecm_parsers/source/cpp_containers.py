@@ -13,6 +13,7 @@ _CONTAINERS: Final = frozenset(
     }
 )  # fmt: skip
 """en.cppreference.com, containers library."""
+_ARRAY: Final = "array"
 
 
 def holds_several(name: str) -> bool:
@@ -21,5 +22,11 @@ def holds_several(name: str) -> bool:
 
 
 def given(name: str, args: tuple[Expr, ...], braces: bool) -> tuple[Expr, ...]:
-    """Return what an object of a type is made from: in braces a container gets one list of what it holds."""
-    return (Items(args),) if args and braces and holds_several(name) else args
+    """Return what an object of a type is made from: in braces a container gets one list of what it holds.
+
+    The elements of an array can stand in braces of their own, which are those of the array within it.
+    """
+    if not args or not braces or not holds_several(name):
+        return args
+    inner = len(args) == 1 and isinstance(args[0], Items) and name.rpartition("::")[2] == _ARRAY
+    return args if inner else (Items(args),)
