@@ -160,10 +160,13 @@ class Assigning:
         return state
 
     def escape(self, value: Expr | None) -> Set[str]:
-        """`p = &x`: from here on `x`, and what it refers to or is a part of, may change through `p`."""
+        """`p = &x`, `p = &x[0]`: from here on `x`, and what it refers to or is a part of, may change through `p`."""
         address = not self.frame.python and isinstance(value, Op) and value.op == "&" and len(value.operands) == 1
-        key = self.frame.effects.key(value.operands[0]) if address and isinstance(value, Op) else ""
-        if key not in self.frame.effects.own:
+        given = value.operands[0] if address and isinstance(value, Op) else None
+        key = self.frame.effects.key(given)
+        within = self.frame.effects.root(given) if isinstance(given, Op) and given.op == "[]" else ""
+        key = key or within
+        if key not in self.frame.effects.own and not within:
             return set()
         names = self.memory.sharing.names_of(key)
         found = self.memory.sharing.with_shared(names)

@@ -58,3 +58,25 @@ def test_a_row_whose_field_was_given_something_is_not_what_it_was(workspace: Any
     )
     assert ("/a", "folded") not in told
     assert told
+
+
+@pytest.mark.parametrize(
+    "change",
+    ['node->rows_.push_back("c");', "node->rows_[0] = given();", 'node->rows_ = {"c"};', "node->rows_.clear();"],
+)
+def test_a_member_that_others_change_is_not_what_it_is_declared_with(workspace: Any, change: str) -> None:
+    """A function that has the object fills its public list before the method runs: it was told as proved."""
+    assert {how for _, how in names(workspace, method=PLAIN, member=TEXTS, main=change)} == {"pattern"}
+
+
+def test_a_field_of_a_row_that_others_change_is_open(workspace: Any) -> None:
+    """So does one who writes into a row."""
+    told = names(workspace, method=LOOP, member=ROWS, main="node->rows_[0].name = given();")
+    assert {how for _, how in told} == {"pattern"}
+
+
+def test_an_element_behind_a_pointer_is_open(workspace: Any) -> None:
+    """Who has the address of an element may write it: `p->name = x`."""
+    made = "create_publisher<std_msgs::msg::String>(rows[0].name, 10);"
+    body = 'std::vector<Row> rows{{"a", 1.0}}; Row * p = &rows[0]; p->name = given(); ' + made
+    assert ("/a", "folded") not in names(workspace, constructor=body)
