@@ -35,5 +35,6 @@ def taken(expr: Expr) -> tuple[Expr, Expr] | None:
     """Return the list and the index of `list[index]` and `list.at(index)`; None of anything else."""
     if isinstance(expr, Op) and expr.op == "[]" and len(expr.operands) == 2:
         return expr.operands[0], expr.operands[1]
-    by_method = isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name == "at"
-    return (expr.callee.base, expr.args[0]) if by_method and len(expr.args) == 1 else None
+    if not isinstance(expr, Call) or not isinstance(expr.callee, Member) or expr.callee.name != "at":
+        return None
+    return (expr.callee.base, expr.args[0]) if len(expr.args) == 1 else None
