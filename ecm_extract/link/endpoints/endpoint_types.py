@@ -16,9 +16,11 @@ from ecm_extract.link.folding.data import UNKNOWN, data_of, declared_type, plain
 from ecm_extract.link.folding.durations import counted
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.interfaces.types import Types
-from ecm_extract.link.running.env import Env
-from ecm_extract.link.running.values import Hole
+from ecm_extract.link.running.env import Env, invocation_of
+from ecm_extract.link.running.values import Hole, data_in
+from ecm_extract.shipped import shipped_names
 
+_ENVIRONMENT = shipped_names("link/code/library_values.toml", "environment")
 _NO_TEXT = frozenset({"bool", "double", "integer"})
 """Types whose default is no text: what folds to one comes from a call that gives something else when it runs."""
 _SINGLE = _NO_TEXT | {"string"}
@@ -46,7 +48,7 @@ class EndpointTypes:
         known = declared or held or (type_of_data(data) if data is not UNKNOWN else None) or own
         known = known or self._target_type(site)
         known = known or self._read_type(site) or self._described(site) or asked_type(site.call)
-        known = known or self._partly_text(default, site.env)
+        known = known or self._partly_text(default, site.env) or self._of_environment(default, site.env)
         return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else _as_declared(data, known)
 
     def _data(self, default: Expr | None, env: Env) -> Any:
@@ -121,6 +123,16 @@ class EndpointTypes:
             value.data is None and any(isinstance(part, str) and part for part in value.parts) for value in values
         ]
         return "string" if written and all(written) else None
+
+    def _of_environment(self, default: Expr | None, env: Env) -> str | None:
+        """What the environment gives is a text, where a text stands for what is not set."""
+        if default is None or env.func.file.language != "python":
+            return None
+        made = [held.expr for held in self.folder.origins.of(default, env)] if isinstance(default, Name) else [default]
+        calls = [invocation_of(each, env) for each in made if isinstance(each, Call)]
+        read = [call for call in calls if call.path in _ENVIRONMENT and len(call.args) > 1]
+        texts = [isinstance(data_in(value), str) for call in read for value in self.folder.fold(call.args[1], env)]
+        return "string" if read and len(read) == len(made) and all(texts) else None
 
     def _declared(self, written: str, env: Env) -> str | None:
         found = declared_type(plain_type(written))
