@@ -25,7 +25,7 @@ from ecm_extract.link.code.numbers import nothing_of
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.open_lists import OpenLists
-from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
+from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS, operated
 from ecm_extract.link.folding.subscripts import character_of, part_of, slice_of, taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import (
@@ -159,9 +159,8 @@ class ListFolder:
         return found
 
     def _of_op(self, expr: Op, env: Env) -> list[Bound] | None:
-        if expr.op == "+" and len(expr.operands) == 2:
-            parts = [self.items(operand, env) for operand in expr.operands]
-            return [*parts[0], *parts[1]] if parts[0] is not None and parts[1] is not None else None
+        if expr.op in {"+", "*"} and len(expr.operands) == 2:
+            return operated(self, expr, env)
         if expr.op == "?:":
             holds = self.folder.flow.truth(expr.operands[0], env)
             return None if holds is None else self.items(expr.operands[1 if holds else 2], env)
