@@ -18,6 +18,7 @@ from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.folding.begun_fields import begun_field
 from ecm_extract.link.folding.formats import VALUE_READS, read_as
 from ecm_extract.link.running.env import Env, Instance
 from ecm_extract.link.running.values import (
@@ -65,7 +66,7 @@ class MemberFolder:
         pointed = self.folder.searches.part(expr, env)
         if pointed is not None:
             return demoted(self.folder.lists.fold(pointed, env))
-        part = self.folder.structures.field(expr, env)
+        part = self.folder.structures.field(expr, env) or begun_field(expr, env, self.folder)
         if not part and expr.name in VALUE_READS:
             return read_as(expr.name, self.folder.fold(expr.base, env.before(env.at)))
         dotted = dotted_name(expr)
