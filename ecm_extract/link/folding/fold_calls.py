@@ -148,7 +148,9 @@ class CallFolder:
         return tuple([setting(value.text.strip("{}")) if _is_unknown(value) else value for value in values])
 
     def _same(self, call: Invocation, env: Env) -> tuple[Value, ...]:
-        """Conversions: a text of what is passed, or a number."""
+        """Conversions: a text of what is passed, or a number; a value of no type where nothing is passed is neither."""
+        if not call.args and call.last == "ParameterValue":
+            return (unknown(call.last),)
         if not call.args:
             return (literal(""),) if call.path not in NUMBERS else (constant(as_number(0, call.path)),)
         if len(call.args) > 1:
