@@ -34,7 +34,7 @@ DEFAULTS = [
     ("a variable of a count", "", 'std::vector<bool> x(1); declare_parameter("x", x);', "", "bool_array", [False]),
     ("a default of a count", "", DECLARED, "std::vector<double> x_ = std::vector<double>(1);", "double_array", [0.0]),
     ("a copy of iterators", "", 'declare_parameter("x", std::vector<double>(y_.begin(), y_.end()));',
-     "std::vector<double> y_{1.0};", "double_array", None),
+     "std::vector<double> y_{1.0};", "double_array", [1.0]),
     ("a number of another type", "", 'double x = 3; declare_parameter("x", x);', "", "double", 3.0),
 ]  # fmt: skip
 
@@ -72,3 +72,13 @@ def test_elements_that_are_given_later_are_not_what_the_count_made_them(workspac
     body = f'std::vector<std::string> x(1); {change} create_publisher<std_msgs::msg::String>("a/" + x[0], 10);'
     found = workspace.package({"src/n.cpp": NODE.format(first="", body=body, member="")}).only("publisher")
     assert found.confidence == "pattern"
+
+
+@pytest.mark.parametrize("made", ["std::vector<std::string>(y_.begin(), y_.end())", "copy()"])
+def test_a_range_is_the_elements_between_its_ends(workspace: Any, made: str) -> None:
+    """`{x.begin(), x.end()}` is a copy of `x`, and no list of two."""
+    body = f'for (const auto & each : {made}) {{ create_publisher<std_msgs::msg::String>("of/" + each, 10); }}'
+    copy = "std::vector<std::string> copy() { return {y_.cbegin(), y_.cend()}; }"
+    member = f'{copy} std::vector<std::string> y_{{"a", "b"}};'
+    found = workspace.package({"src/n.cpp": NODE.format(first="", body=body, member=member)}).interfaces()
+    assert {one.name for one in found if one.role == "publisher"} == {"/of/a", "/of/b"}

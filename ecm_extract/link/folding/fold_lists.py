@@ -12,7 +12,6 @@ from ecm_parsers.source.expr import (
     Items,
     Member,
     Name,
-    Number,
     Op,
     Table,
 )
@@ -26,7 +25,7 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.open_lists import OpenLists
 from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS, operated
-from ecm_extract.link.folding.subscripts import character_of, part_of, slice_of, taken
+from ecm_extract.link.folding.subscripts import character_of, copied_range, part_of, slice_of, steps_on, taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import (
     Value,
@@ -132,7 +131,8 @@ class ListFolder:
     def _items(self, expr: Expr, env: Env) -> list[Bound] | None:
         inner = env.before(env.at)
         if isinstance(expr, Items):
-            return self._spread(expr, env)
+            copied = copied_range(expr.items)
+            return self._spread(expr, env) if copied is None else self.items(copied, env)
         if isinstance(expr, Table):
             return [Bound(key, env) for key, _ in expr.entries] if is_plain_table(expr) else None
         if isinstance(expr, Comprehension):
@@ -307,7 +307,10 @@ class ListFolder:
         if len(args) == 1:
             listed = self.items(args[0], env)
             return listed if listed is not None else self._counted(args[0], None, call, env)
-        if len(args) == 2 and not any(map(_steps_on, args)):
+        copied = copied_range(args)
+        if copied is not None:
+            return self.items(copied, env)
+        if len(args) == 2 and not any(map(steps_on, args)):
             return self._counted(args[0], args[1], call, env)
         return None if args else []
 
@@ -342,8 +345,3 @@ class ListFolder:
             given = env.args[expr.id]
             return self.flat(given.expr, given.env.before(given.env.at))
         return [Bound(expr, env)]
-
-
-def _steps_on(expr: Expr) -> bool:
-    """Whether an expression is a place in an array, and no text: `argv + 1`."""
-    return isinstance(expr, Op) and expr.op in {"+", "-"} and any(isinstance(part, Number) for part in expr.operands)

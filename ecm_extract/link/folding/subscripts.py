@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from ecm_parsers.source.expr import Call, Expr, Member, Op
+from ecm_parsers.source.expr import Call, Expr, Member, Number, Op
 
 from ecm_extract.infer.compute import NULL, UNKNOWN
 
@@ -38,3 +38,17 @@ def taken(expr: Expr) -> tuple[Expr, Expr] | None:
     if not isinstance(expr, Call) or not isinstance(expr.callee, Member) or expr.callee.name != "at":
         return None
     return (expr.callee.base, expr.args[0]) if len(expr.args) == 1 else None
+
+
+def copied_range(args: Sequence[Expr]) -> Expr | None:
+    """Return the container that `{x.begin(), x.end()}` is a copy of; None of anything else."""
+    ends = [arg.callee for arg in args if isinstance(arg, Call) and isinstance(arg.callee, Member) and not arg.args]
+    if len(args) != 2 or [end.name.removeprefix("c") for end in ends if isinstance(end, Member)] != ["begin", "end"]:
+        return None
+    first, last = (end.base for end in ends if isinstance(end, Member))
+    return first if first == last else None
+
+
+def steps_on(expr: Expr) -> bool:
+    """Tell whether an expression is a place in an array, and no text: `argv + 1`."""
+    return isinstance(expr, Op) and expr.op in {"+", "-"} and any(isinstance(part, Number) for part in expr.operands)
