@@ -32,6 +32,7 @@ public:
     any.dynamic_typing = true;
     declare_parameter("index", rclcpp::ParameterValue{}, any);
     declare_parameter("other", rclcpp::ParameterValue(), any);
+    create_publisher<std_msgs::msg::String>(get_parameter("other").as_string(), 10);
   }
 };
 int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<N>()); }
@@ -47,4 +48,5 @@ def test_ros_2_has_no_endpoint_without_a_name(workspace: Any) -> None:
 def test_a_value_of_no_type_is_no_text(workspace: Any) -> None:
     """`rclcpp::ParameterValue{}` is not set: a parameter of any type was told as an empty text."""
     found = workspace.package({"src/n.cpp": DYNAMIC}).interfaces()
-    assert {(one.name, one.type, one.default) for one in found} == {("index", None, None), ("other", None, None)}
+    told = {(one.name, one.type, one.default) for one in found}
+    assert told == {("index", None, None), ("other", None, None), ("/{other}", "std_msgs/msg/String", None)}

@@ -32,6 +32,7 @@ DEFAULTS = [
     ("made in braces", "", 'declare_parameter("x", std::vector<double>{1, 2});', "", "double_array", [1.0, 2.0]),
     ("made of a count", "", 'declare_parameter("x", std::vector<int64_t>(2));', "", "integer_array", [0, 0]),
     ("a variable of a count", "", 'std::vector<bool> x(1); declare_parameter("x", x);', "", "bool_array", [False]),
+    ("a count of a truth", "", 'declare_parameter("x", std::vector<bool>(2, 0));', "", "bool_array", [False, False]),
     ("a default of a count", "", DECLARED, "std::vector<double> x_ = std::vector<double>(1);", "double_array", [0.0]),
     ("a copy of iterators", "", 'declare_parameter("x", std::vector<double>(y_.begin(), y_.end()));',
      "std::vector<double> y_{1.0};", "double_array", [1.0]),

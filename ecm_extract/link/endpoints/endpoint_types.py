@@ -172,6 +172,8 @@ def _as_declared(data: Any, known: str | None) -> Any:
         return _as_declared(data[0], known) if len(data) == 1 and not isinstance(data[0], list) else UNKNOWN
     if known in _ARRAYS and isinstance(data, list):
         return [as_number(each, _ARRAYS[known]) for each in data]
+    if known == "bool_array" and isinstance(data, list):
+        return [bool(each) if isinstance(each, int) else each for each in data]
     return as_number(data, _HELD.get(known or "", ""))
 
 

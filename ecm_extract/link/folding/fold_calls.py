@@ -280,11 +280,11 @@ class CallFolder:
     ) -> tuple[Value, ...]:
         """Return the values of a default: of the call, else of the declaration, else a hole."""
         values: tuple[Value, ...] = ()
-        if default is not None:
+        if default is not None and not formats.is_unset(default):
             values = lowered(self.folder.fold(default, env.before(env.at)), "default")
         elif isinstance(known, Value):
             values = lowered((known,), "default")
-        elif known is not None:
+        elif known is not None and not formats.is_unset(known[0]):
             values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
         if values and (values[0].text or len(values) > 1):
             return values
