@@ -206,7 +206,7 @@ class ListFolder:
         if isinstance(expr, Name) and expr.id in env.func.given:
             return None
         begun = self._at_first(expr, env)
-        if begun is not None or self._is_others(expr, env):
+        if begun is not None or self.is_others(expr, env):
             return begun
         found = self.sources(expr, env)
         if found:
@@ -275,13 +275,13 @@ class ListFolder:
             return None
         return self.given(f".{name}", env, True) if self.folder.scope.member_type(name, cls) else None
 
-    def _is_others(self, expr: Name | Member, env: Env) -> bool:
+    def is_others(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether functions that have the object of a member change it, so that no method here shows it."""
         name, cls = expr.id if isinstance(expr, Name) else expr.name, env.this or env.func.cls
-        own = isinstance(expr, Name) or expr.base == Name("this")
-        if not own or cls is None or cls.file.language != "cpp" or not self.folder.scope.member_type(name, cls):
+        own = isinstance(expr, Member) and expr.base == Name("this")
+        if cls is None or not (own or (isinstance(expr, Name) and self.folder.scope.member_type(name, cls))):
             return False
-        return self.folder.given_fields.is_changed_by_others(name, cls)
+        return self.folder.changed_outside.is_changed(name, cls)
 
     def _shared(self, name: str, env: Env) -> list[Bound] | None:
         """What all methods together leave a member with."""

@@ -87,6 +87,8 @@ class TableFolder:
         given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
         if given is not None:
             return self.entries(given.expr, given.env.deeper(env.depth + 1))
+        if self.folder.lists.is_others(expr, env):
+            return None
         found = self.folder.lists.sources(expr, env)
         if found:
             return self.held_entries(*found[0]) if len(found) == 1 else None

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
+from ecm_parsers.source.expr import Call, Items, Member, Name
 
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name, plain, pointee
@@ -29,7 +28,6 @@ class GivenFields:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._known: dict[tuple[str, Cls], bool] = {}
-        self._changed: dict[tuple[str, Cls], bool] = {}
         self._read: dict[tuple[str, Cls], tuple[Value, ...]] = {}
 
     def is_given(self, name: str, cls: Cls) -> bool:
@@ -39,30 +37,6 @@ class GivenFields:
             self._known[name, cls] = False  # who asks in a circle
             known = self._known[name, cls] = self._in_braces(name, cls) or self._assigned(name, cls)
         return known
-
-    def is_changed_by_others(self, name: str, cls: Cls) -> bool:
-        """Tell whether a function changes a field, or a part, of another object of a class: `node->names[0] = x`."""
-        known = self._changed.get((name, cls))
-        if known is None:
-            self._changed[name, cls] = False  # who asks in a circle
-            found = (self._owns(func, owner, cls) for func, owner in self._changing.get(name, ()))
-            known = self._changed[name, cls] = any(found)
-        return known
-
-    def _owns(self, func: Func, owner: Expr, cls: Cls) -> bool:
-        """Whether an object that a function changes is of a class, or of one that derives from it."""
-        of = self.folder.objects.class_of(owner, Env(func, len(func.fact.body)))
-        return of is not None and (cls in self.folder.program.ancestry(of) or of in self.folder.program.ancestry(cls))
-
-    @cached_property
-    def _changing(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:
-        """Name of a field -> the functions that change it, or a part of it, with the object that it lies in."""
-        found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
-        for func in self._functions:
-            for key in self.folder.flow.outline(func).changes:
-                for owner, field in _owned(key):
-                    found[field].append((func, owner))
-        return found
 
     def _in_braces(self, name: str, cls: Cls) -> bool:
         names = [field.name for field in cls.fact.fields]
@@ -171,13 +145,3 @@ class GivenFields:
                     if name in self.folder.program.classes:
                         found[name] = max(count, found.get(name, 0))
         return found
-
-
-def _owned(key: str) -> Iterator[tuple[Expr, str]]:
-    """Yield the objects that a variable lies in, other than the one at hand, each with its field."""
-    first, *fields = key.split(".")
-    owner: Expr = Name(first or "this")
-    for field in fields:
-        if owner != Name("this"):
-            yield owner, field
-        owner = Member(owner, field)
