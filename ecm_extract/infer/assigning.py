@@ -173,9 +173,9 @@ class Assigning:
         return state
 
     def escape(self, statement: Statement) -> Set[str]:
-        """`p = &x`: from here on `x`, and what it refers to or is a part of, may change through `p`.
+        """`p = &x`, `p = &x[0]`: from here on `x`, and what it refers to or is a part of, may change through `p`.
 
-        So may what `p = &x[0]` and `p = x.begin()` point into, where the function writes through `p`.
+        So may what `p = x.begin()` points into, where the function writes through `p`.
         """
         found: set[str] = set()
         for key in self._pointed(statement) if not self.frame.python else ():
@@ -185,9 +185,11 @@ class Assigning:
 
     def _pointed(self, statement: Statement) -> Set[str]:
         value, effects = statement.value, self.frame.effects
-        key = effects.key(value.operands[0]) if _is_address(value) and isinstance(value, Op) else ""
-        if key:
-            return {key} & effects.own
+        if _is_address(value) and isinstance(value, Op):
+            given = value.operands[0]
+            key = effects.key(given)
+            within = effects.root(given) if isinstance(given, Op) and given.op == "[]" else ""
+            return {key} & effects.own or {within} - {""}
         pointer, outline = effects.key(statement.target), self.frame.outline
         pointed = set(self._iterated(value)) & effects.own
         followed = any(each.startswith(f"{pointer}.") for each in outline.changes)

@@ -263,7 +263,7 @@ class Linker:
             own = settled(named)
             local = local_parameter(own, handle, ros) if site.form.row.value else local_name(own, handle, node)
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
-            if is_never_made(value, name) and not site.form.row.value:
+            if is_never_made(value, name, ros) and not site.form.row.value:
                 continue
             kind, data = self._typed(site, default)
             if is_below_node(value):

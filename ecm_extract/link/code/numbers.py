@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import Any
 
 from ecm_parsers.numbers import truncated
+from ecm_parsers.source.expr import Constant, Expr, Number, Text
 
 from ecm_extract.link.code.spelling import plain
 
@@ -32,3 +33,13 @@ def kind_of_type(written: str) -> str:
     if last in {"string", "string_view"} or (last == "char" and "*" in written):
         return "text"
     return "number" if last in NUMBERS or last == "bool" else ""
+
+
+def nothing_of(written: str) -> Expr | None:
+    """Return what an element of a container is that is given nothing: an empty text, zero; None of other types."""
+    kind, last = kind_of_type(written), plain(written).rsplit("::", 1)[-1]
+    if not kind or "*" in written:
+        return None
+    if kind == "text":
+        return Text("") if last == "string" else None
+    return Constant("false") if last == "bool" else Number(as_number(0, last))

@@ -18,6 +18,7 @@ from ecm_extract.link.declaring.undeclared import Undeclared
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.module_kinds import is_node_base
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.other_nodes import asks_another_node
 
 _TRUE = Constant("true")
 
@@ -48,6 +49,8 @@ class Matcher:
         if form.flag and next(positions(form.flag, call), None) != _TRUE:
             return False
         if form.undeclared and not self.undeclared.takes_any(call.func):
+            return False
+        if form.row.value and asks_another_node(call, env, self.folder.objects):
             return False
         return self._fits(form, call, env) and self._named(form, call)
 

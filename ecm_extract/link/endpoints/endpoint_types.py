@@ -16,9 +16,11 @@ from ecm_extract.link.folding.data import UNKNOWN, data_of, declared_type, plain
 from ecm_extract.link.folding.durations import counted
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.interfaces.types import Types
-from ecm_extract.link.running.env import Env
-from ecm_extract.link.running.values import Hole
+from ecm_extract.link.running.env import Env, invocation_of
+from ecm_extract.link.running.values import Hole, data_in
+from ecm_extract.shipped import shipped_names
 
+_ENVIRONMENT = shipped_names("link/code/library_values.toml", "environment")
 _NO_TEXT = frozenset({"bool", "double", "integer"})
 """Types whose default is no text: what folds to one comes from a call that gives something else when it runs."""
 _SINGLE = _NO_TEXT | {"string"}
@@ -41,10 +43,12 @@ class EndpointTypes:
         written = site.env.types.get(written, written)
         out = next(positions(site.form.out, site.call), None)
         declared = self._declared(written, site.env) or stated or self._out_type(out, site.env)
-        known = declared or (type_of_data(data) if data is not UNKNOWN else None)
-        known = known or self._default_type(default, site.env) or self._target_type(site)
+        own = self._default_type(default, site.env)
+        held = own if site.env.func.file.language == "cpp" and _is_listed(own, data) else None
+        known = declared or held or (type_of_data(data) if data is not UNKNOWN else None) or own
+        known = known or self._target_type(site)
         known = known or self._read_type(site) or self._described(site) or asked_type(site.call)
-        known = known or self._partly_text(default, site.env)
+        known = known or self._partly_text(default, site.env) or self._of_environment(default, site.env)
         return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else _as_declared(data, known)
 
     def _data(self, default: Expr | None, env: Env) -> Any:
@@ -120,6 +124,16 @@ class EndpointTypes:
         ]
         return "string" if written and all(written) else None
 
+    def _of_environment(self, default: Expr | None, env: Env) -> str | None:
+        """What the environment gives is a text, where a text stands for what is not set."""
+        if default is None or env.func.file.language != "python":
+            return None
+        made = [held.expr for held in self.folder.origins.of(default, env)] if isinstance(default, Name) else [default]
+        calls = [invocation_of(each, env) for each in made if isinstance(each, Call)]
+        read = [call for call in calls if call.path in _ENVIRONMENT and len(call.args) > 1]
+        texts = [isinstance(data_in(value), str) for call in read for value in self.folder.fold(call.args[1], env)]
+        return "string" if read and len(read) == len(made) and all(texts) else None
+
     def _declared(self, written: str, env: Env) -> str | None:
         found = declared_type(plain_type(written))
         alias = (
@@ -146,12 +160,20 @@ class EndpointTypes:
         return None
 
 
+def _is_listed(own: str | None, data: Any) -> bool:
+    """Whether a default is a list or a number, of which its own type says what it holds: `vector<double>{1}`."""
+    numbers = isinstance(data, int) and not isinstance(data, bool) and own == "double"
+    return numbers or (isinstance(data, list) and own is not None and own.endswith("_array"))
+
+
 def _as_declared(data: Any, known: str | None) -> Any:
     """A default as the type of its parameter holds it: `declare_parameter<double>("rate", 0)`, or `{0}`, is 0.0."""
     if known in _SINGLE and isinstance(data, list):
         return _as_declared(data[0], known) if len(data) == 1 and not isinstance(data[0], list) else UNKNOWN
     if known in _ARRAYS and isinstance(data, list):
         return [as_number(each, _ARRAYS[known]) for each in data]
+    if known == "bool_array" and isinstance(data, list):
+        return [bool(each) if isinstance(each, int) else each for each in data]
     return as_number(data, _HELD.get(known or "", ""))
 
 

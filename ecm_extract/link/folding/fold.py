@@ -46,6 +46,7 @@ from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
@@ -133,6 +134,7 @@ class Folder:
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
         self.makers = ObjectMakers(self)
+        self.changed_outside = ChangedOutside(self)
         self.given_fields = GivenFields(self)
         self.object_fields = ObjectFields(self)
         self.shifting = Shifting(self)

@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from ecm_parsers.numbers import integer, real
 from ecm_parsers.source.expr import (
     Call,
     Expr,
@@ -21,10 +20,11 @@ from ecm_extract.link.code.naming_calls import gives_name, is_resolver
 from ecm_extract.link.code.numbers import NUMBERS, as_number
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.folding import formats
-from ecm_extract.link.folding.declared_numbers import held_as, type_of_number
+from ecm_extract.link.folding.conversions import converted
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.running.env import Env, invocation_of
+from ecm_extract.link.running.other_nodes import asks_another_node
 from ecm_extract.link.running.own_names import node_namespace
 from ecm_extract.link.running.values import (
     Hole,
@@ -96,6 +96,9 @@ class CallFolder:
             images = self.folder.fold(call.args[0], env.before(env.at))
             return demoted(tuple([placed(value, CAMERA_INFO) for value in images]))
         read = self.folder.reads.read(call)
+        if read is not None and asks_another_node(call, env, self.folder.objects):
+            named = self.folder.fold(read[0], env.before(env.at))[0].text
+            return (unknown(named.rpartition(".")[2].strip("{}") or call.last),)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
         if call.path in _PATH_JOINS and call.args and not call.keywords:
@@ -149,7 +152,9 @@ class CallFolder:
         return tuple([setting(value.text.strip("{}")) if _is_unknown(value) else value for value in values])
 
     def _same(self, call: Invocation, env: Env) -> tuple[Value, ...]:
-        """Conversions: a text of what is passed, or a number."""
+        """Conversions: a text of what is passed, or a number; a value of no type where nothing is passed is neither."""
+        if not call.args and call.last == "ParameterValue":
+            return (unknown(call.last),)
         if not call.args:
             return (literal(""),) if call.path not in NUMBERS else (constant(as_number(0, call.path)),)
         if len(call.args) > 1:
@@ -158,7 +163,7 @@ class CallFolder:
         python = env.func.file.language == "python"
         if call.path in {"str", "std::to_string", "String"}:
             return self._shown_items(call, env) or tuple([self._text_of(value, python) for value in values])
-        return tuple([_converted(value, call.path, python) for value in values]) if call.path in NUMBERS else values
+        return tuple([converted(value, call.path, python) for value in values]) if call.path in NUMBERS else values
 
     def _shown_items(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """`str(names)` of a list is nothing that anybody names things with."""
@@ -280,11 +285,11 @@ class CallFolder:
     ) -> tuple[Value, ...]:
         """Return the values of a default: of the call, else of the declaration, else a hole."""
         values: tuple[Value, ...] = ()
-        if default is not None:
+        if default is not None and not formats.is_unset(default):
             values = lowered(self.folder.fold(default, env.before(env.at)), "default")
         elif isinstance(known, Value):
             values = lowered((known,), "default")
-        elif known is not None:
+        elif known is not None and not formats.is_unset(known[0]):
             values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
         if values and (values[0].text or len(values) > 1):
             return values
@@ -313,26 +318,6 @@ def _is_unknown(value: Value) -> bool:
 def _asked(expr: Call, env: Env) -> tuple[object, ...]:
     """What tells a call with its arguments from the same call with others."""
     return "call", expr, env.func, env.at, env.state, tuple(env.args.values())
-
-
-def _converted(value: Value, kind: str, python: bool) -> Value:
-    given = data_in(value) if value.data is None else value.data
-    if isinstance(given, str):
-        return _parsed(value, given, kind) if python else unknown(kind)
-    data = as_number(value.data, kind) if python else held_as(value.data, type_of_number(kind))
-    if data is UNKNOWN:
-        return unknown(kind)
-    return value if data is value.data else constant(data)._replace(confidence="folded")
-
-
-def _parsed(value: Value, text: str, kind: str) -> Value:
-    """The number that a text of Python spells: `int("5")`."""
-    found = real(text) if NUMBERS[kind] == "double" else integer(text.strip())
-    return (
-        unknown(kind)
-        if found is None
-        else constant(found)._replace(confidence=value.confidence, template=value.template)
-    )
 
 
 def _filled(data: list[object]) -> object:

@@ -12,7 +12,6 @@ from ecm_parsers.source.expr import (
     Items,
     Member,
     Name,
-    Number,
     Op,
     Table,
 )
@@ -21,13 +20,13 @@ from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.containers import begins_empty, is_container
-from ecm_extract.link.code.numbers import kind_of_type
+from ecm_extract.link.code.numbers import nothing_of
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.open_lists import OpenLists
-from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
+from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS, operated
 from ecm_extract.link.folding.sorted_containers import in_their_order
-from ecm_extract.link.folding.subscripts import character_of, part_of, slice_of
+from ecm_extract.link.folding.subscripts import character_of, copied_range, part_of, slice_of, steps_on, taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import (
     Value,
@@ -40,9 +39,6 @@ from ecm_extract.link.running.values import (
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
-
-
-_ENDS = frozenset({"begin", "end", "rbegin", "rend", "cbegin", "cend"})
 
 
 class ListFolder:
@@ -136,7 +132,8 @@ class ListFolder:
     def _items(self, expr: Expr, env: Env) -> list[Bound] | None:
         inner = env.before(env.at)
         if isinstance(expr, Items):
-            return self._spread(expr, env)
+            copied = copied_range(expr.items)
+            return self._spread(expr, env) if copied is None else self.items(copied, env)
         if isinstance(expr, Table):
             return [Bound(key, env) for key, _ in expr.entries] if is_plain_table(expr) else None
         if isinstance(expr, Comprehension):
@@ -165,9 +162,8 @@ class ListFolder:
         return found
 
     def _of_op(self, expr: Op, env: Env) -> list[Bound] | None:
-        if expr.op == "+" and len(expr.operands) == 2:
-            parts = [self.items(operand, env) for operand in expr.operands]
-            return [*parts[0], *parts[1]] if parts[0] is not None and parts[1] is not None else None
+        if expr.op in {"+", "*"} and len(expr.operands) == 2:
+            return operated(self, expr, env)
         if expr.op == "?:":
             holds = self.folder.flow.truth(expr.operands[0], env)
             return None if holds is None else self.items(expr.operands[1 if holds else 2], env)
@@ -189,11 +185,19 @@ class ListFolder:
             data = [data_in(values[0]) if len(values) == 1 else UNKNOWN for values in bounds]
             found = slice_of(items, data, list)
             return found if isinstance(found, list) else None
-        data_ = [data_in(value) for value in self.folder.fold(index, env)]
-        at = data_[0] if len(data_) == 1 else UNKNOWN
-        if not isinstance(at, int) or not -len(items) <= at < len(items):
-            return None
-        return self.items(items[at].expr, items[at].env.deeper(env.depth + 1))
+        found_ = self._chosen(items, index, env)
+        return self.items(found_.expr, found_.env.deeper(env.depth + 1)) if found_ is not None else None
+
+    def element(self, expr: Expr, env: Env) -> Bound | None:
+        """Return the element of a list that `rows[1]` or `rows.at(1)` is; None where either is not known."""
+        found = taken(expr)
+        items = self.items(found[0], env) if found is not None else None
+        return self._chosen(items, found[1], env) if items is not None and found is not None else None
+
+    def _chosen(self, items: list[Bound], index: Expr, env: Env) -> Bound | None:
+        data = [data_in(value) for value in self.folder.fold(index, env)]
+        at = data[0] if len(data) == 1 else UNKNOWN
+        return items[at] if isinstance(at, int) and -len(items) <= at < len(items) else None
 
     def _of_variable(self, expr: Name | Member, env: Env) -> list[Bound] | None:
         ways = self.folder.flow.ways(expr, env)
@@ -204,6 +208,9 @@ class ListFolder:
             return self.items(given.expr, given.env.deeper(env.depth + 1))
         if isinstance(expr, Name) and expr.id in env.func.given:
             return None
+        begun = self._at_first(expr, env)
+        if begun is not None or self.is_others(expr, env):
+            return begun
         found = self.sources(expr, env)
         if found:
             return self.folder.held.items(*found[0]) if len(found) == 1 else None
@@ -263,6 +270,22 @@ class ListFolder:
         empty = begins_empty(self.folder.scope.member_type(name, cls))
         return default if default is not None else [] if empty else None
 
+    def _at_first(self, expr: Name | Member, env: Env) -> list[Bound] | None:
+        """The elements of a member in a constructor that is run now, which gave it nothing yet, nor called who may."""
+        name, cls = expr.id if isinstance(expr, Name) else expr.name, env.func.cls
+        own = isinstance(expr, Name) or expr.base == Name("this")
+        if not own or cls is None or env.state is None or not env.func.is_constructor or env.state.called:
+            return None
+        return self.given(f".{name}", env, True) if self.folder.scope.member_type(name, cls) else None
+
+    def is_others(self, expr: Name | Member, env: Env) -> bool:
+        """Tell whether functions that have the object of a member change it, so that no method here shows it."""
+        name, cls = expr.id if isinstance(expr, Name) else expr.name, env.this or env.func.cls
+        own = isinstance(expr, Member) and expr.base == Name("this")
+        if cls is None or not (own or (isinstance(expr, Name) and self.folder.scope.member_type(name, cls))):
+            return False
+        return self.folder.changed_outside.is_changed(name, cls)
+
     def _shared(self, name: str, env: Env) -> list[Bound] | None:
         """What all methods together leave a member with."""
         found = self.sources(Member(Name("this"), name), env)
@@ -281,41 +304,27 @@ class ListFolder:
             return self._made(call, env)
         return self._returned(call, env)
 
-    def _is_one(self, inner: Items, call: Invocation, env: Env) -> bool:
-        """Tell whether braces within braces are one element, and not the list: `vector<Row>{{"a", 1}}`."""
-        if call.path.endswith("map"):
-            return not isinstance(inner.items[0], Items) if inner.items else False
-        if any(isinstance(item, Items) for item in inner.items):
-            return False
-        return bool(call.types) and self.folder.objects.class_written(call.types[0], env) is not None
-
     def _made(self, call: Invocation, env: Env) -> list[Bound] | None:
-        """`vector{a, b}`, `vector<T>(other)`, `vector<T>(count, value)`; types tell braces from parentheses."""
+        """`vector{a, b}`, whose elements are one list, `vector(other)`, `vector<T>(count)`, `vector(count, value)`."""
         args = call.args
-        if len(args) == 1 and isinstance(args[0], Items) and self._is_one(args[0], call, env):
-            return [Bound(args[0], env)]
-        if len(args) == 1 and (isinstance(args[0], Items) or self.items(args[0], env) is not None):
-            return self.items(args[0], env)
-        texts = "string" in "".join(call.types) or "string" in call.statement.type
-        if len(args) == 2 and texts and any(map(_steps_on, args)):
-            return None
-        if len(args) == 2:
-            count = [value.data for value in self.folder.fold(args[0], env)]
-            if len(count) == 1 and isinstance(count[0], int) and not isinstance(count[0], bool):
-                return [Bound(args[1], env)] * count[0] if texts and 0 <= count[0] <= MAX_ITEMS else None
-        iterates = any(
-            isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in _ENDS for arg in args
-        )
-        copies = len(args) == 1 and not self._is_element(args[0], env)
-        return None if iterates or copies else [Bound(arg, env) for arg in args]
+        if len(args) == 1:
+            listed = self.items(args[0], env)
+            return listed if listed is not None else self._counted(args[0], None, call, env)
+        copied = copied_range(args)
+        if copied is not None:
+            return self.items(copied, env)
+        if len(args) == 2 and not any(map(steps_on, args)):
+            return self._counted(args[0], args[1], call, env)
+        return None if args else []
 
-    def _is_element(self, arg: Expr, env: Env) -> bool:
-        """Tell whether what a list is made from is no other list, which it may be a copy of: a text or a number."""
-        written = self.folder.objects.type_of(arg, env)
-        if kind_of_type(written):
-            return True
-        listed = is_container(written) or (not written and isinstance(arg, Name | Member))
-        return not listed and all(value.confidence != "pattern" for value in self.folder.fold(arg, env))
+    def _counted(self, count: Expr, each: Expr | None, call: Invocation, env: Env) -> list[Bound] | None:
+        """So many of one value, without one of what an element is that is given nothing."""
+        known = self.folder.fold(count, env)
+        number = known[0].data if len(known) == 1 and is_proved(known[0]) else None
+        if not isinstance(number, int) or isinstance(number, bool) or not 0 <= number <= MAX_ITEMS:
+            return None
+        each = each if each is not None else nothing_of(call.types[0] if call.types else "")
+        return [Bound(each, env)] * number if each is not None else None
 
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
         """What a function of the tree returns, where one return is reached."""
@@ -339,8 +348,3 @@ class ListFolder:
             given = env.args[expr.id]
             return self.flat(given.expr, given.env.before(given.env.at))
         return [Bound(expr, env)]
-
-
-def _steps_on(expr: Expr) -> bool:
-    """Whether an expression is a place in an array, and no text: `argv + 1`."""
-    return isinstance(expr, Op) and expr.op in {"+", "-"} and any(isinstance(part, Number) for part in expr.operands)

@@ -18,7 +18,9 @@ from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.folding.begun_fields import begun_field
 from ecm_extract.link.folding.formats import VALUE_READS, read_as
+from ecm_extract.link.index.module_kinds import class_kind
 from ecm_extract.link.running.env import Env, Instance
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
@@ -65,7 +67,7 @@ class MemberFolder:
         pointed = self.folder.searches.part(expr, env)
         if pointed is not None:
             return demoted(self.folder.lists.fold(pointed, env))
-        part = self.folder.structures.field(expr, env)
+        part = self.folder.structures.field(expr, env) or begun_field(expr, env, self.folder)
         if not part and expr.name in VALUE_READS:
             return read_as(expr.name, self.folder.fold(expr.base, env.before(env.at)))
         dotted = dotted_name(expr)
@@ -196,7 +198,12 @@ class MemberFolder:
         others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
         others = others or list(self.initial(name, cls, env))
         filled = [value for value in others or values if value.text]
-        return alternatives(filled or others or values) if values else ()
+        open_ = [unknown(name)] if self._is_others(name, cls) else []
+        return alternatives([*(filled or others or values), *open_]) if values else ()
+
+    def _is_others(self, name: str, cls: Cls) -> bool:
+        """Tell whether a function that has the object of a node changes its member, before a method asks for it."""
+        return class_kind(cls, self.folder.program) is not None and self.folder.changed_outside.is_changed(name, cls)
 
     def _reads_of(self, method: Func, name: str) -> Collection[int]:
         """The statements whose reads of parameters the run of a method has followed into the member."""

@@ -87,6 +87,8 @@ class TableFolder:
         given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
         if given is not None:
             return self.entries(given.expr, given.env.deeper(env.depth + 1))
+        if self.folder.lists.is_others(expr, env):
+            return None
         found = self.folder.lists.sources(expr, env)
         if found:
             return self.held_entries(*found[0]) if len(found) == 1 else None
@@ -110,8 +112,8 @@ class TableFolder:
             base = call.args[0] if call.path == "dict" else call.receiver
             return self.entries(base, env) if copies and len(call.args) <= 1 else self._returned_entries(call, env)
         if call.receiver is None and is_map(call.path):
-            listed = call.args[0] if len(call.args) == 1 and _is_nested(call.args[0]) else Items(call.args)
-            return self._pairs(listed, env)
+            listed = call.args[0] if len(call.args) == 1 else Items(call.args)
+            return self._pairs(listed, env) if isinstance(listed, Items) else self.entries(listed, env)
         return self._returned_entries(call, env)
 
     def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
@@ -243,8 +245,3 @@ class TableFolder:
 def is_plain_table(expr: Table) -> bool:
     """Tell whether a display of a table has no other table spread into it."""
     return all(key != Constant("null") for key, _ in expr.entries)
-
-
-def _is_nested(expr: Expr) -> bool:
-    """Whether braces hold braces: the list of a table, not one of its entries."""
-    return isinstance(expr, Items) and all(isinstance(item, Items) for item in expr.items) and bool(expr.items)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from ecm_parsers.source.expr import Expr, Items, Name, Op, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Name, Op, Text
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.running.values import Value, setting
 from ecm_extract.shipped import shipped_names
 
@@ -29,6 +30,16 @@ def read_as(name: str, values: Sequence[Value]) -> tuple[Value, ...]:
     if name not in _TEXT_READS:
         return tuple(values)
     return tuple([value if value.data is None else setting(value.parameter or name) for value in values])
+
+
+def is_unset(default: Expr) -> bool:
+    """Tell whether a default is a value of a parameter that is not set: `rclcpp::ParameterValue()`."""
+    return (
+        isinstance(default, Call)
+        and not default.args
+        and isinstance(default.callee, Name)
+        and last_name(default.callee.id) == "ParameterValue"
+    )
 
 
 def formatted(call: Invocation) -> list[Expr | str] | None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, TypeAlias
 
-from ecm_parsers.source.expr import Call, Expr, Items, Lambda, Name, Number, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Lambda, Name, Number, Op, Text
 
 from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
@@ -34,6 +34,20 @@ def _row(*parts: Bound) -> Bound:
         {name: (Held("value", name, part.expr, part.env),) for name, part in zip(names, parts, strict=True)}
     )
     return Bound(Items(tuple([Name(name) for name in names])), place.within(state, place.at))
+
+
+def operated(lists: ListFolder, expr: Op, env: Env) -> list[Bound] | None:
+    """Return the elements of `a + b`, and of Python of `[x] * 3`; None when not all are known."""
+    parts = [lists.items(operand, env) for operand in expr.operands]
+    if expr.op == "+":
+        return [*parts[0], *parts[1]] if parts[0] is not None and parts[1] is not None else None
+    at = 0 if parts[0] is not None else 1
+    items = parts[at]
+    if items is None or env.func.file.language != "python":
+        return None
+    count = [data_in(value) for value in lists.folder.fold(expr.operands[1 - at], env) if is_proved(value)]
+    known = len(count) == 1 and isinstance(count[0], int) and not isinstance(count[0], bool)
+    return items * count[0] if known and 0 <= count[0] * len(items) <= MAX_ITEMS else None
 
 
 def _range(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:

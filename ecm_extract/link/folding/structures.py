@@ -265,7 +265,7 @@ class StructureFolder:
         if isinstance(expr, Call) and self._class_called(expr, env) is not None:
             return Bound(expr, env)
         if not isinstance(expr, Name | Member):
-            return None
+            return self.folder.lists.element(expr, env)
         helds = self._helds(expr, env)
         if all(held.how == "given" for held in helds):
             return self._of_name(expr, env) if isinstance(expr, Name) else self._of_whole(expr, env)

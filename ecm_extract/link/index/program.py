@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.class_alternatives import alternatives_joined
+from ecm_extract.link.index.member_lists import settle_members
 from ecm_extract.resolve.cpp_constants import Stated
 from ecm_extract.resolve.headers import Headers
 from ecm_extract.resolve.layout import PackageLayout
@@ -62,6 +63,12 @@ class Program:
         for file in self.files:
             self._index(file)
             self._names.add(file, self.classes_in(file), self.functions_in(file))
+        for file in self.files:
+            settle_members(self.functions_in(file), self._aliased)
+
+    def _aliased(self, written: str, func: Func) -> str:
+        """What an alias stands for in a function; what is none stays."""
+        return self.alias(plain(written), func.file, func.scope) or written
 
     def _index(self, file: File) -> None:
         renamed: dict[str, str] = {}

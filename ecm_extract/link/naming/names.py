@@ -59,9 +59,12 @@ def is_beside_node(value: Value) -> bool:
     return _after(value, "space") is not None
 
 
-def is_never_made(value: Value, name: RosName) -> bool:
-    """Tell whether a name is certainly empty, in no namespace either: sources ask first, `if (topic != "")`."""
-    return value.text == "" and not value.template and name.resolved == "/"
+def is_never_made(value: Value, name: RosName, ros: int | None) -> bool:
+    """Tell whether a name is certainly empty, in no namespace either: sources ask first, `if (topic != "")`.
+
+    ROS 2 has no empty names in a namespace either (rcl/validate_topic_name.h).
+    """
+    return value.text == "" and not value.template and (name.resolved == "/" or ros == 2)
 
 
 def _after(value: Value, kind: str) -> str | None:

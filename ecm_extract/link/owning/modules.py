@@ -95,6 +95,10 @@ class Modules:
         """Tell whether a class has a contract of its own."""
         return self._kind(cls) is not None
 
+    def is_program(self, func: Func) -> bool:
+        """Tell whether a function is the main one of a program."""
+        return func in self.registry.programs
+
     def _kind(self, cls: Cls) -> str | None:
         if not cls.file.is_built:
             return None

@@ -34,6 +34,9 @@ class Ownership:
         """
         if self._is_only_offered(site):
             return self._library(unit)
+        called = self._called_on(unit, site)
+        if called is not None:
+            return (called,)
         owners = [each for each in self.modules.owners(unit) if not _is_told_by_rows(site, each)]
         line = [call.func for call in (*site.chain, site.call)]
         owners = [each for each in owners if all(self.modules.links(each, func) for func in line)]
@@ -45,6 +48,13 @@ class Ownership:
             return running
         dead = self.modules.is_of_programs_only(site.root.file) and not _is_in_a_table(unit)
         return () if dead else self._library(unit)
+
+    def _called_on(self, unit: Unit, site: Site) -> Module | None:
+        """The node whose object a program calls by itself: `node->declare_parameter(...)` in `main`."""
+        if isinstance(unit, Cls) or site.chain or site.call.receiver is None or not self.modules.is_program(unit):
+            return None
+        cls = self.sites.folder.objects.class_of(site.call.receiver, site.env)
+        return self.modules.by_class.get(cls) if cls is not None else None
 
     def _deciding(self, site: Site, modules: list[Module]) -> tuple[Module, ...]:
         """Those of the modules whose arguments lead to a site, where arguments decide."""

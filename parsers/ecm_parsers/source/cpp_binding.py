@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_arrays import array_value, characters, extents
+from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_spacing import collapsed
@@ -76,14 +77,16 @@ class Binding:
         return self.writer.apart(loop, value, self.bound(declarator), written)
 
     def initializer(self, node: Node) -> None:
-        """Read what a constructor gives to one member or base."""
+        """Read what a constructor gives to one member or base; braces stay a list, as the member may be one."""
         target, *rest = node.named_children
         listed = rest[-1] if rest else None
         args = self.expr.arguments(listed)
         types = self.expr.template_arguments(target)
         name = Name(self.expr.name(target))
-        made = len(args) != 1 or "::" in name.id or name.id[:1].isupper()
-        value = Call(name, args, (), types, line_of(target)) if made else args[0]
+        base = "::" in name.id or name.id[:1].isupper()
+        braces = listed is not None and listed.type == "initializer_list"
+        made: Expr = Call(name, args, (), types, line_of(target))
+        value = Items(args) if braces and args and not base else made if base or len(args) != 1 else args[0]
         self.writer.add("init", target, value, name)
 
     def bound(self, declarator: Node) -> Expr:
@@ -121,7 +124,7 @@ class Binding:
         args = self.expr.arguments(value)
         if value.type == "initializer_list" and kind.type == "placeholder_type_specifier":
             return Items(args)
-        return self._made(kind, args)
+        return self._made(kind, given(self.expr.name(kind), args, value.type == "initializer_list"))
 
     def _made(self, kind: Node, args: tuple[Expr, ...]) -> Call:
         """The call that makes an object of a type."""

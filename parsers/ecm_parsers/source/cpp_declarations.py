@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_arrays import array_value
 from ecm_parsers.source.cpp_body import BodyReader
+from ecm_parsers.source.cpp_containers import given, holds_several
 from ecm_parsers.source.cpp_declarators import (
     GROUPS,
     announced_end,
@@ -30,10 +31,6 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 MAX_NESTING = 60
-_CONTAINERS = frozenset(
-    {"vector", "array", "deque", "list", "set", "unordered_set", "multiset", "map", "unordered_map"}
-)
-"""en.cppreference.com, containers library."""
 
 
 class DeclarationReader:
@@ -153,14 +150,12 @@ class DeclarationReader:
             return array
         if node.type in {"initializer_list", "argument_list"}:
             args = self.expr.arguments(node)
-            if len(args) == 1 and node.type == "initializer_list" and kind is not None and self._holds_several(kind):
-                return Call(Name(self.expr.name(kind)), args, (), self.expr.template_arguments(kind), lines_of(node)[0])
+            name = self.expr.name(kind) if kind is not None else ""
+            if len(args) == 1 and kind is not None and holds_several(name):
+                listed = given(name, args, node.type == "initializer_list")
+                return Call(Name(name), listed, (), self.expr.template_arguments(kind), lines_of(node)[0])
             return args[0] if len(args) == 1 else Items(args) if args else None
         return self.expr.read(node)
-
-    def _holds_several(self, kind: Node) -> bool:
-        """Whether one value in braces is the first element of a container, and not what begins as that value."""
-        return self.expr.name(kind).rpartition("::")[2] in _CONTAINERS
 
     def function(self, node: Node, place: Place) -> None:
         """A function definition."""

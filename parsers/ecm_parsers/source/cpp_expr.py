@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.numbers import truncated
 from ecm_parsers.source.cpp_casts import cast_arguments
+from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
 from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.expr import (
@@ -188,8 +189,9 @@ def _compound(reader: ExprReader, node: Node) -> Expr:
     made = node.child_by_field_name("type")
     if made is None:
         return Opaque(reader.text(node)[:80])
-    args = reader.arguments(node.child_by_field_name("value"))
-    return Call(Name(reader.name(made)), args, (), reader.template_arguments(made), made.start_point[0] + 1)
+    name = reader.name(made)
+    args = given(name, reader.arguments(node.child_by_field_name("value")), braces=True)
+    return Call(Name(name), args, (), reader.template_arguments(made), made.start_point[0] + 1)
 
 
 def _binary(reader: ExprReader, node: Node) -> Expr:

@@ -142,7 +142,7 @@ def test_constructor_initialisers_come_first() -> None:
     assert found == [
         ("init", Name("B"), Call(Name("B"), (Text("n"), Number(1)), (), ("int",), 1)),
         ("init", Name("a_"), Text("x")),
-        ("init", Name("b_"), Number(2)),
+        ("init", Name("b_"), Items((Number(2),))),
         ("init", Name("c_"), Call(Name("c_"), (), line=1)),
         ("do", None, Call(Name("d"), (), line=1)),
     ]

@@ -1,0 +1,79 @@
+"""Members that functions change which have the object of a node: `node->names.push_back(x)` in `main`."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Expr, Member, Name, Op
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import expressions
+from ecm_extract.link.running.env import Env
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+class ChangedOutside:
+    """Tells which members others change; each member of a class is asked about once."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._known: dict[tuple[str, Cls], bool] = {}
+
+    def is_changed(self, name: str, cls: Cls) -> bool:
+        """Tell whether a function changes a member, or a part of it, of another object of a class, or may do it."""
+        known = self._known.get((name, cls))
+        if known is None:
+            self._known[name, cls] = False  # who asks in a circle
+            found = (self._owns(func, owner, cls) for func, owner in self._changing.get(name, ()))
+            known = self._known[name, cls] = any(found)
+        return known
+
+    def _owns(self, func: Func, owner: Expr, cls: Cls) -> bool:
+        """Whether an object that a function changes is of a class, or of one that derives from it."""
+        if func.file.language != cls.file.language:
+            return False
+        of = self.folder.objects.class_of(owner, Env(func, len(func.fact.body)))
+        return of is not None and (cls in self.folder.program.ancestry(of) or of in self.folder.program.ancestry(cls))
+
+    @cached_property
+    def _changing(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:
+        """Name of a field -> the functions that change it, or a part of it, with the object that it lies in."""
+        found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
+        for func in (func for group in self.folder.program.functions.values() for func in group):
+            for key in (*self.folder.flow.outline(func).changes, *self._lent(func)):
+                for owner, field in _owned(key):
+                    found[field].append((func, owner))
+        return found
+
+    def _lent(self, func: Func) -> Iterator[str]:
+        """The members that a function of C++ binds to a reference, or takes the address of."""
+        if func.file.language != "cpp":
+            return
+        effects = self.folder.flow.effects(func)
+        for statement in func.fact.body:
+            if _refers(statement):
+                yield effects.root(statement.value)
+            for expr, _ in expressions(statement):
+                if isinstance(expr, Op) and expr.op == "&" and len(expr.operands) == 1:
+                    yield effects.root(expr.operands[0])
+
+
+def _refers(statement: Statement) -> bool:
+    written = statement.type
+    return statement.kind in {"let", "each"} and written.endswith("&") and "const" not in written.split()
+
+
+def _owned(key: str) -> Iterator[tuple[Expr, str]]:
+    """Yield the objects that a variable lies in, other than the one at hand, each with its field."""
+    first, *fields = key.split(".")
+    owner: Expr = Name(first or "this")
+    for field in fields:
+        if owner != Name("this"):
+            yield owner, field
+        owner = Member(owner, field)
