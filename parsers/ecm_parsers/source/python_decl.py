@@ -8,6 +8,7 @@ from tree_sitter import Node
 
 from ecm_parsers.source.expr import Expr, Items, Member, Name, Opaque
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
+from ecm_parsers.source.python_dataclasses import generated_init
 from ecm_parsers.source.python_expr import parts
 from ecm_parsers.source.python_parameters import parameters
 from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler
@@ -100,18 +101,20 @@ def _read_class(scan: Scan, node: Node, decorators: list[Node]) -> None:
     frame.owner = Member(outer.owner, name) if outer.owner is not None else Name(name)
     frame.bases = _bases(scan, bases) if bases is not None else ()
     _read_body(scan, node, frame)
-    scan.classes.append(
-        Class(
-            name=name,
-            scope=outer.scope,
-            bases=frame.bases,
-            line=node.start_point[0] + 1,
-            end_line=node.end_point[0] + 1,
-            fields=tuple(fields),
-            traits=_traits(name, tuple([scan.text(each) for each in decorators])),
-            decorators=tuple([scan.expr(each) for each in decorators]),
-        )
+    made = Class(
+        name=name,
+        scope=outer.scope,
+        bases=frame.bases,
+        line=node.start_point[0] + 1,
+        end_line=node.end_point[0] + 1,
+        fields=tuple(fields),
+        traits=_traits(name, tuple([scan.text(each) for each in decorators])),
+        decorators=tuple([scan.expr(each) for each in decorators]),
     )
+    scan.classes.append(made)
+    init = generated_init(made, frame.scope, [each.name for each in scan.functions if each.scope == frame.scope])
+    if init is not None:
+        scan.functions.append(init)
 
 
 def _read_body(scan: Scan, node: Node, frame: Frame) -> None:
