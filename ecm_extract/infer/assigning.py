@@ -141,7 +141,8 @@ class Assigning:
 
     def _is_set_by_method(self, key: str) -> bool:
         """Whether a field of Python is a property, whose method makes what it likes of what it gets."""
-        return self.frame.python and "." in key and self.frame.effects.targets.has_setter(key.rpartition(".")[2])
+        owner = self.frame.env.func if key.startswith(".") else None
+        return self.frame.python and "." in key and self.frame.effects.targets.has_setter(key.rpartition(".")[2], owner)
 
     def _one_of_several(self, target: Expr | None, held: Held, state: State) -> State:
         """`std::tie(a, b) = value` gives each its part; `(test ? a : b) = value` gives one or the other something."""

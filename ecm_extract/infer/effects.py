@@ -84,8 +84,8 @@ class Targets(Protocol):
     def shown_part(self, call: Call, func: Func) -> Expr | None:
         """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
 
-    def has_setter(self, name: str) -> bool:
-        """Tell whether objects of Python have a property of that name which a method of theirs sets."""
+    def has_setter(self, name: str, method: Func | None) -> bool:
+        """Tell whether objects of Python have a property that a method sets: that of a method, None for any object."""
 
     @property
     def lent(self) -> Lending:

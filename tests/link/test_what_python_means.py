@@ -8,12 +8,32 @@ from typing import Any
 import pytest
 
 NODE = """
+import dataclasses
 import functools
+import typing
 from pkg import tools
 from pkg.tools import Tool
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import String
+
+@dataclasses.dataclass
+class Row:
+    name: str = "n"
+    space: str = ""
+    more: list = dataclasses.field(default_factory=lambda: ["m"])
+    kept: str = dataclasses.field(default="k", init=False)
+    def full(self): return self.space + "/" + self.name
+    def __post_init__(self): self.other = self.name + "_o"
+@dataclasses.dataclass
+class LongRow(Row):
+    last: str = "l"
+class Pair(typing.NamedTuple):
+    first: str
+    second: str = "s"
+class Counted:
+    made = 0
+    def __init__(self): Counted.made += 1
 
 class Named:
     KIND = "kind"
@@ -60,6 +80,14 @@ ROWS = [
     ("a function of a class", 'pub(Named.clean("/a/") + Named.marked("b"))', ["am_b"]),
     ("a function of a class of another module", 'pub(tools.Tool.clean("/a/") + Tool.clean("b/"))', ["ab"]),
     ("a variable like a class", 'Named = other()\npub(Named.clean("/a/"))', [OPEN]),
+    ("a data class", 'pub(Row("a", "b").full())', ["b/a"]),
+    ("a data class by names", 'pub(Row(space="b").full())', ["b/n"]),
+    ("what a data class does in the end", 'pub(Row("a").other)', ["a_o"]),
+    ("a list of a data class", "pub(Row().more[0] + Row().kept)", [OPEN]),
+    ("a data class of another", 'pub(LongRow("a", "b").full())', ["b/a"]),
+    ("what a data class has beside another", 'pub(LongRow("a", "b", [], "c").last)', ["l", "{last}"]),
+    ("a named tuple", 'pub(Pair("a").first + Pair("b", "c").second)', ["ac"]),
+    ("a variable of a class", 'Counted()\npub("n%d" % Counted.made)', ["n0", "n{made}"]),
     ("a decorator", 'pub(wrapped("a"))', [OPEN]),
     ("a decorator that keeps results", 'pub(kept("a"))', ["a"]),
     ("a table of arguments", 'pub(joined("a", **{"b": "x"}))', ["axc"]),

@@ -7,10 +7,7 @@ from functools import cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import (
-    Expr,
-    Name,
-)
+from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.facts import Constant, Function
 
 from ecm_extract.link.code.spelling import last_name
@@ -207,7 +204,14 @@ class NameFolder:
         if not found.constant.scope:
             return self._of_module(found.constant.name, found.file, env)
         inner = Env(self.at_file(found.file, env).func, depth=env.depth + 1)
-        return demoted(self.folder.fold(found.constant.value, inner))
+        values = demoted(self.folder.fold(found.constant.value, inner))
+        return alternatives((*values, unknown(found.constant.name))) if self._is_set(found.constant) else values
+
+    def _is_set(self, constant: Constant) -> bool:
+        """Tell whether a function gives a variable of a class of Python something: `Named.count += 1`."""
+        names = {Name(constant.scope.rpartition("::")[2]), Name("cls")}
+        targets = (each.statement.target for each in self.folder.scope.assigned_outside(constant.name, "python"))
+        return any(isinstance(target, Member) and target.base in names for target in targets)
 
     def _of_outside(self, dotted: str, file: File) -> tuple[Value, ...]:
         known = self.folder.program.message_constant(dotted, file)

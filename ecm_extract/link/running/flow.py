@@ -271,9 +271,13 @@ class Flow:
         """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
         return self.folder.parts.shown(call, func)
 
-    def has_setter(self, name: str) -> bool:
-        """Tell whether objects of Python have a property of that name which a method of theirs sets."""
-        return any(f"{name}.setter" in func.fact.decorators for func in self.folder.program.functions.get(name, ()))
+    def has_setter(self, name: str, method: Func | None) -> bool:
+        """Tell whether objects of Python have a property that a method sets: that of a method, None for any object."""
+        lineage = self.folder.program.ancestry(method.cls) if method is not None and method.cls is not None else None
+        setters = (
+            each for each in self.folder.program.functions.get(name, ()) if lineage is None or each.cls in lineage
+        )
+        return any(f"{name}.setter" in each.fact.decorators for each in setters)
 
     def keeps(self, path: str) -> bool:
         """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""

@@ -146,10 +146,12 @@ class ObjectStates:
     # --- objects -------------------------------------------------------------------------------------------
 
     def instance(self, receiver: Expr, env: Env) -> Instance | None:
-        """Return how an object is made: of a variable of the function that surely holds it, or as a part of others."""
-        part = self.folder.parts.maker(receiver, env)
-        if part is not None:
-            return part.made
+        """Return how an object is made: where it is asked, for a variable of the function, or as a part of others."""
+        place = self.folder.parts.maker(receiver, env)
+        if place is None and isinstance(receiver, Call):
+            place = self.constructor(receiver, env)
+        if place is not None:
+            return place.made
         key = self.folder.flow.effects(env.func).key(receiver)
         made = [self._maker(key, state, env) for state in self.folder.flow.states(env)] if key else []
         known = [entry.made for entry in made if entry is not None and entry.made is not None]
