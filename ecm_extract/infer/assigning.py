@@ -192,9 +192,10 @@ class Assigning:
             within = effects.root(given) if isinstance(given, Op) and given.op == "[]" else ""
             return {key} & effects.own or {within} - {""}
         pointer, outline = effects.key(statement.target), self.frame.outline
-        pointed = set(self._iterated(value)) & effects.own
-        followed = any(each.startswith(f"{pointer}.") for each in outline.changes)
-        return pointed if pointed and not followed and self._writes_through(pointer) else set()
+        pointed = set(self._iterated(value)) & effects.own if isinstance(value, Op | Call) else set()
+        if not pointed or any(each.startswith(f"{pointer}.") for each in outline.changes):
+            return set()
+        return pointed if self._writes_through(pointer) else set()
 
     def _writes_through(self, pointer: str) -> bool:
         """Whether the body changes what a variable points to; `*p = x` is written as `p = x` in its facts."""

@@ -129,6 +129,8 @@ def is_spread(arg: Expr) -> bool:
 
 def spreads(call: Invocation) -> bool:
     """Tell whether a call gives more arguments than are written there, or fewer."""
+    if call.func.file.language != "python":
+        return False
     return any(map(is_spread, call.args)) or any(name == SPREAD for name, _ in call.keywords)
 
 

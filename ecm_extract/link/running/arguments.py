@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ecm_parsers.source.expr import Expr, Items, Name, Op, Opaque, Table, Text
 
-from ecm_extract.link.code.calls import SPREAD, Invocation, is_spread
+from ecm_extract.link.code.calls import SPREAD, Invocation, is_spread, spreads
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Bound, Env
 
@@ -48,6 +48,9 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
 
 
 def _given(call: Invocation, env: Env) -> _Given:
+    if not spreads(call):
+        named = {name: Bound(value, env) for name, value in call.keywords}
+        return _Given([Bound(arg, env) for arg in call.args], named, is_open=False)
     found = _Given([], {}, is_open=False)
     for arg in call.args:
         found = _with_argument(found, arg, env)
