@@ -18,11 +18,12 @@ import sys
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from executed.draw import Program
 from executed.grammar import grammar
+from executed.written import programs as written_programs
 
 from ecm_extract.link.declaring.forms import form_table
 from ecm_extract.link.linker import Linker
@@ -145,13 +146,20 @@ def printed(text: str) -> Made:
     return made
 
 
-def python_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, Made]:
+def drawn(language: str, seeds: Sequence[str]) -> Mapping[str, str]:
+    """Draw programs, by the names of their files; those of C++ have a namespace of that name."""
+    rules = grammar(language)
+    if language == "python":
+        return {f"p{at}_{seed}": Program(seed, rules).source() for at, seed in enumerate(seeds)}
+    return {f"p{at}": Program(seed, rules, f"p{at}").source() for at, seed in enumerate(seeds)}
+
+
+def python_batch(root: Path, programs: Mapping[str, str]) -> tuple[Path, Made]:
     """Write programs, run each, return the folder of the package and what the runs made."""
     package, stubs = root / "package", root / "stubs"
-    language = grammar("python")
-    sources = {f"drawn/p{n}_{s}.py": Program(s, language).source() for n, s in enumerate(seeds)}
+    sources = {f"drawn/{name}.py": text for name, text in programs.items()}
     written(package, {**sources, "package.xml": _MANIFEST.format(kind="python"), "drawn/__init__.py": ""})
-    entries = ", ".join(f"'p{n} = drawn.p{n}_{s}:main'" for n, s in enumerate(seeds))
+    entries = ", ".join(f"'p{at} = drawn.{name}:main'" for at, name in enumerate(programs))
     setup = f"from setuptools import setup\nsetup(name='drawn', entry_points={{'console_scripts': [{entries}]}})\n"
     written(package, {"setup.py": setup})
     shutil.copytree(STUBS / "python", stubs)
@@ -167,14 +175,11 @@ def python_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, Made]:
     return package, made
 
 
-def cpp_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, Made]:
+def cpp_batch(root: Path, programs: Mapping[str, str]) -> tuple[Path, Made]:
     """The same in C++; the programs of a batch are compiled as one and run one by one."""
     package, stubs = root / "package", root / "stubs"
-    spaces = [f"p{number}" for number in range(len(seeds))]
-    language = grammar("cpp")
-    sources = {
-        f"src/{space}.cpp": Program(seed, language, space).source() for space, seed in zip(spaces, seeds, strict=True)
-    }
+    spaces = list(programs)
+    sources = {f"src/{space}.cpp": text for space, text in programs.items()}
     targets = "\n".join(f"add_executable({space} src/{space}.cpp)" for space in spaces)
     cmake = f"cmake_minimum_required(VERSION 3.8)\nproject(drawn)\n{targets}\n"
     written(package, {**sources, "package.xml": _MANIFEST.format(kind="cmake"), "CMakeLists.txt": cmake})
@@ -209,10 +214,22 @@ def judged(language: str, seeds: Sequence[str], keep: Path | None = None) -> Ite
     for start in range(0, len(seeds), BATCH):
         with tempfile.TemporaryDirectory() as folder:
             root = keep / f"{language}{start}" if keep else Path(folder)
-            package, made = BATCHES[language](root, seeds[start : start + BATCH])
-            told = extracted(package)
-            for place in sorted(made):
-                yield Judged(place, frozenset(made[place]), told.get(place, ()))
+            yield from _of_batch(language, root, drawn(language, seeds[start : start + BATCH]))
+
+
+def judged_written(language: str) -> Iterator[Judged]:
+    """Run and read the programs that people wrote, each alone."""
+    for program in written_programs(language):
+        with tempfile.TemporaryDirectory() as folder:
+            for line in _of_batch(language, Path(folder), {"p0": program.text}):
+                yield replace(line, place=(f"{program.name}, {line.place[0]}", line.place[1]))
+
+
+def _of_batch(language: str, root: Path, programs: Mapping[str, str]) -> Iterator[Judged]:
+    package, made = BATCHES[language](root, programs)
+    told = extracted(package)
+    for place in sorted(made):
+        yield Judged(place, frozenset(made[place]), told.get(place, ()))
 
 
 def main() -> None:
@@ -222,8 +239,12 @@ def main() -> None:
     parser.add_argument("--language", choices=("python", "cpp", "both"), default="both")
     parser.add_argument("--show", type=int, default=0, help="lines that are wrong, at most so many")
     parser.add_argument("--keep", type=Path, help="folder for the drawn programs")
+    parser.add_argument("--written", action="store_true", help="run the programs of executed/written instead")
     asked = parser.parse_args()
     for language in BATCHES if asked.language == "both" else (asked.language,):
+        if asked.written:
+            _report(language, list(judged_written(language)), asked.show)
+            continue
         seeds = [f"{asked.seed}_{number}" for number in range(asked.programs)]
         _report(language, list(judged(language, seeds, asked.keep)), asked.show)
 

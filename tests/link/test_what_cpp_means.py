@@ -60,6 +60,7 @@ ROWS = [
     ("a literal of a type of its own", 'pub("a"_t);', OPEN),
     ("the object by another name", 'auto me = this; me->own_ = "new"; pub(own_);', "new"),
     ("a pack", 'auto add = [&s](auto... more) { ((s += more), ...); }; s = "a"; add("b"); pub(s);', OPEN),
+    ("the code of a character", "pub(\"n\" + std::to_string('a'));", OPEN),
     ("a cast", 'int n = -1; pub("n" + std::to_string(static_cast<unsigned>(n)));', "n4294967295"),
     ("a map has an order", 'std::map<std::string, int> m{{"b", 1}, {"a", 2}}; for (auto & p : m) s += p.first; pub("m" + s);', "mab"),
     ("a set has an order", 'std::set<std::string> m{"b", "a", "b"}; for (const auto & p : m) s += p; pub("m" + s);', "mab"),

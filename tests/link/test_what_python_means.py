@@ -31,6 +31,9 @@ class LongRow(Row):
 class Pair(typing.NamedTuple):
     first: str
     second: str = "s"
+def collected(name, names=[]):
+    names.append(name)
+    return "_".join(names)
 class Counted:
     made = 0
     def __init__(self): Counted.made += 1
@@ -88,6 +91,7 @@ ROWS = [
     ("what a data class has beside another", 'pub(LongRow("a", "b", [], "c").last)', ["l", "{last}"]),
     ("a named tuple", 'pub(Pair("a").first + Pair("b", "c").second)', ["ac"]),
     ("a variable of a class", 'Counted()\npub("n%d" % Counted.made)', ["n0", "n{made}"]),
+    ("a default that calls before have changed", 'collected("a")\npub(collected("b"))', [OPEN]),
     ("a decorator", 'pub(wrapped("a"))', [OPEN]),
     ("a decorator that keeps results", 'pub(kept("a"))', ["a"]),
     ("a table of arguments", 'pub(joined("a", **{"b": "x"}))', ["axc"]),

@@ -162,6 +162,8 @@ class CallFolder:
         values = self.folder.fold(call.args[0], env)
         python = env.func.file.language == "python"
         if call.path in {"str", "std::to_string", "String"}:
+            if call.path == "std::to_string" and any(isinstance(data_in(value), str) for value in values):
+                return (unknown(call.last),)  # a character is the number of its code
             return self._shown_items(call, env) or tuple([self._text_of(value, python) for value in values])
         return tuple([converted(value, call.path, python) for value in values]) if call.path in NUMBERS else values
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ecm_parsers.source.expr import Expr, Items, Name, Op, Opaque, Table, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque, Table, Text
 
+from ecm_extract.infer.places import whole_of
 from ecm_extract.link.code.calls import SPREAD, Invocation, is_spread, spreads
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Bound, Env
@@ -43,8 +44,23 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
             bound.setdefault(parameter.name.lstrip("*"), Bound(Opaque(SPREAD), env))
     elif len(bound) < len(callee.params):
         for name, default in callee.defaults:
-            bound.setdefault(name, Bound(default, Env(callee, depth=env.depth)))
+            kept = isinstance(default, Items | Table | Call) and _is_touched(callee, name)
+            bound.setdefault(name, Bound(Opaque(name) if kept else default, Env(callee, depth=env.depth)))
     return bound
+
+
+def _is_touched(callee: Func, name: str) -> bool:
+    """Tell whether a function of Python may change what a parameter has by default, which calls before have left so."""
+    if callee.file.language != "python":
+        return False
+    for statement in callee.fact.body:
+        asked = statement.value.callee if isinstance(statement.value, Call) else None
+        targets = (statement.target, asked.base if isinstance(asked, Member) else None)
+        if any(isinstance(each, Op | Member) and whole_of(each) == Name(name) for each in targets):
+            return True
+        if Name(name) in targets and (statement.kind == "do" or statement.type.endswith("=")):
+            return True
+    return False
 
 
 def _given(call: Invocation, env: Env) -> _Given:
