@@ -22,6 +22,7 @@ from ecm_extract.resolve.layout import layouts
 from ecm_extract.resolve.sight import Sight
 from ecm_extract.tree import Tree
 
+_WORD = re.compile(rb"[A-Za-z_]\w*")
 _Macros = tuple[Replacement, ...]
 _Known = Mapping[str, _Macros]
 
@@ -89,9 +90,9 @@ def _agreed(macros: Iterable[Replacement]) -> _Macros:
 
 def _may_call(data: bytes, macros: _Macros) -> bool:
     """Whether a file names a macro that calls something, or one with a macro of its own behind it."""
-    calling = leading((each.name for each in macros if is_calling(each)), macros)
-    return _has_any(data, calling) or (HINT.search(data) is not None and _has_any(data, [each.name for each in macros]))
-
-
-def _has_any(data: bytes, names: Collection[bytes]) -> bool:
-    return bool(names) and re.search(rb"\b(?:" + rb"|".join(map(re.escape, names)) + rb")\b", data) is not None
+    words = set(_WORD.findall(data))
+    named = [each.name for each in macros if each.name in words]
+    if not named:
+        return False
+    calling = leading([each.name for each in macros if is_calling(each)], macros)
+    return not calling.isdisjoint(named) or HINT.search(data) is not None

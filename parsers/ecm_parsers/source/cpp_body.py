@@ -7,18 +7,12 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_assigning import Assigning
 from ecm_parsers.source.cpp_binding import Binding
-from ecm_parsers.source.cpp_captures import capturing, initial_captures
+from ecm_parsers.source.cpp_captures import Captures, capturing
 from ecm_parsers.source.cpp_changes import Changes
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_heads import hides, macro_test
-from ecm_parsers.source.cpp_lambdas import (
-    DeclaredFunctions,
-    as_function,
-    changes_copies,
-    lambda_parameters,
-    place_name,
-)
+from ecm_parsers.source.cpp_lambdas import DeclaredFunctions, as_function, changes_copies, lambda_parameters, place_name
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_raising import type_thrown, types_caught
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of, otherwise
@@ -57,6 +51,7 @@ class BodyReader:
         self.local_names: list[Node] = []
         self._binding = Binding(self.expr, self.writer, self._named_lambda)
         self._assigning = Assigning(self.expr, self.writer, self._binding.buffers)
+        self._captures = Captures()
         self._nesting = 0
         self._entering = False
 
@@ -72,7 +67,7 @@ class BodyReader:
             for child in node.named_children:
                 self.read(child)
         elif (step := _STEPS.get(node.type)) is not None:
-            hiding = hides(self.expr, node, self.writer.statements)
+            hiding = hides(self.expr, node, self.writer.declared)
             if hiding:
                 self.writer.begin()
             step(self, node)
@@ -298,7 +293,7 @@ class BodyReader:
     def _held_captures(self, name: str, node: Node) -> Mapping[str, str]:
         """Declare what a lambda evaluates when it is made; return what its body calls that, by its own names."""
         found: dict[str, str] = {}
-        for capture in initial_captures(node):
+        for capture in self._captures.of(node):
             value = self.expr.read(capture.value)
             shared = capture.shares and isinstance(value, Name)
             held = value if shared and isinstance(value, Name) else Name(f"{name}::{capture.name}")
@@ -316,9 +311,10 @@ class BodyReader:
 
     def _captured(self, node: Node) -> list[str]:
         """Read what a lambda evaluates when it is made; return the names by which its body has that."""
-        for capture in initial_captures(node):
+        captures = self._captures.of(node)
+        for capture in captures:
             self._assigning.expression(capture.value)
-        return [capture.name for capture in initial_captures(node)]
+        return [capture.name for capture in captures]
 
 
 _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {

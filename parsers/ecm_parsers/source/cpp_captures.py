@@ -5,7 +5,7 @@ A copy of a variable is one where the variable is assigned behind the lambda: `[
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
@@ -30,36 +30,67 @@ class Capture(NamedTuple):
     shares: bool
 
 
-def initial_captures(node: Node) -> list[Capture]:
-    """Return the captures of a lambda expression that have a value of their own."""
-    listed = node.child_by_field_name("captures")
-    entries = listed.named_children if listed is not None else []
-    return [found for entry in entries for found in (*_initial(entry), *_copied(entry, node))]
+class _Around(NamedTuple):
+    """What a function declares, and where each variable is assigned for the last time."""
+
+    declared: frozenset[bytes]
+    assigned: Mapping[bytes, int]
 
 
-def _copied(entry: Node, made: Node) -> Iterator[Capture]:
-    """A variable that is captured by copy, and assigned behind the lambda in the body around it."""
-    before = entry.prev_sibling
-    if entry.type == "identifier" and (before is None or before.type != "&"):
-        named = [entry]
-    elif entry.type == "lambda_default_capture" and entry.text == b"=":
-        named = _used(made)
-    else:
-        return
-    assigned = _assigned_behind(made)
-    found = {each.text: each for each in reversed(named) if each.text in assigned}
-    yield from (Capture((name or b"").decode(errors="replace"), each, False) for name, each in found.items())
+class Captures:
+    """Finds what lambdas of one function capture; the functions around them are looked through once."""
+
+    def __init__(self) -> None:
+        self._around: dict[tuple[int, int], _Around] = {}
+
+    def of(self, node: Node) -> list[Capture]:
+        """Return the captures of a lambda expression that have a value of their own."""
+        listed = node.child_by_field_name("captures")
+        entries = listed.named_children if listed is not None else []
+        return [found for entry in entries for found in (*_initial(entry), *self._copied(entry, node))]
+
+    def _copied(self, entry: Node, made: Node) -> Iterator[Capture]:
+        """Variables that are captured by copy, and assigned behind the lambda in the body around it."""
+        named: Sequence[Node] = ()
+        around = self._of_function(made)
+        if entry.type == "lambda_default_capture" and entry.text == b"=":
+            named = [name for name in _used(made) if name.text in around.declared]
+        elif entry.type == "identifier" and (entry.prev_sibling is None or entry.prev_sibling.type != "&"):
+            named = [entry]
+        behind = [each for each in named if around.assigned.get(each.text or b"", 0) > made.end_byte]
+        found = {each.text or b"": each for each in reversed(behind)}
+        yield from (Capture(name.decode(errors="replace"), each, False) for name, each in found.items())
+
+    def _of_function(self, made: Node) -> _Around:
+        around = made.parent
+        while around is not None and around.type not in _FUNCTIONS:
+            around = around.parent
+        if around is None:
+            return _Around(frozenset(), {})
+        place = (around.start_byte, around.end_byte)
+        if place not in self._around:
+            self._around[place] = _looked_through(around)
+        return self._around[place]
+
+
+def _looked_through(function: Node) -> _Around:
+    declared: set[bytes] = set()
+    assigned: dict[bytes, int] = {}
+    for node in _within(function):
+        if node.type == "identifier" and node.text is not None and _is_declared(node):
+            declared.add(node.text)
+        target = node.child_by_field_name(_ASSIGNED[node.type]) if node.type in _ASSIGNED else None
+        if target is not None and target.type == "identifier" and target.text is not None:
+            assigned[target.text] = max(assigned.get(target.text, 0), node.end_byte)
+    return _Around(frozenset(declared), assigned)
 
 
 def _used(made: Node) -> list[Node]:
-    """The variables of the function around a lambda that its body names, without those that it captures by name."""
+    """The names in a lambda's body, without those that it captures by name."""
     listed, body = made.child_by_field_name("captures"), made.child_by_field_name("body")
-    own = {name.text for entry in (listed.named_children if listed is not None else ()) for name in _named(entry)}
-    around = _function_around(made)
-    if body is None or around is None:
-        return []
-    local = {name.text for name in _named(around) if _is_declared(name)}
-    return [name for name in _named(body) if name.text in local and name.text not in own]
+    own = {name.text for name in _within(listed) if name.type == "identifier"} if listed is not None else set()
+    names = (each for each in _within(body) if each.type == "identifier") if body is not None else ()
+    return [name for name in names if name.text not in own]
 
 
 def _is_declared(name: Node) -> bool:
@@ -68,34 +99,13 @@ def _is_declared(name: Node) -> bool:
     return parent is not None and (parent.type in _DECLARING or parent.child_by_field_name("declarator") == name)
 
 
-def _named(node: Node) -> Iterator[Node]:
-    """The identifiers within a node."""
-    if node.type == "identifier":
-        yield node
-    for child in node.named_children:
-        yield from _named(child)
-
-
-def _function_around(made: Node) -> Node | None:
-    node = made.parent
-    while node is not None and node.type not in _FUNCTIONS:
-        node = node.parent
-    return node
-
-
-def _assigned_behind(made: Node) -> Set[bytes]:
-    around = _function_around(made)
-    found: set[bytes] = set()
-    pending = [around] if around is not None else []
+def _within(node: Node) -> Iterator[Node]:
+    """A node and all within it, in their order."""
+    pending = [node]
     while pending:
-        node = pending.pop()
-        if node.end_byte <= made.end_byte or node == made:
-            continue
-        pending += node.named_children
-        target = node.child_by_field_name(_ASSIGNED[node.type]) if node.type in _ASSIGNED else None
-        if target is not None and target.type == "identifier" and target.text is not None:
-            found.add(target.text)
-    return found
+        each = pending.pop()
+        yield each
+        pending += reversed(each.named_children)
 
 
 def _initial(entry: Node) -> Iterator[Capture]:

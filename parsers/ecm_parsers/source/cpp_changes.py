@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _WHOLE = frozenset({"declaration", "condition_clause", "field_initializer", "lambda_expression", "for_statement"})
+MAX_STATEMENT = 4_000
+"""In a longer statement, in bytes, a variable counts as one that stands elsewhere in it."""
 _AS_STATEMENTS = frozenset({"expression_statement", "comma_expression", "for_statement"})
 
 
@@ -94,6 +96,8 @@ def _is_read_beside(node: Node, target: Node) -> bool:
     whole = node
     while whole.parent is not None and not _is_whole(whole):
         whole = whole.parent
+    if whole.end_byte - whole.start_byte > MAX_STATEMENT:
+        return True
     return sum(1 for each in _identifiers(whole) if each.text == target.text) > 1
 
 

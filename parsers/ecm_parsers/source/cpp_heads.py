@@ -5,13 +5,12 @@ Source: [basic.scope.block] of the C++ standard.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_parameters import declared_name
-from ecm_parsers.source.expr import Expr, Items, Name, Op, Opaque
-from ecm_parsers.source.facts import Statement
+from ecm_parsers.source.expr import Expr, Op, Opaque
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -20,14 +19,14 @@ _BEFORE = {"for_statement": "initializer", "if_statement": "condition", "while_s
 _BEFORE |= {"switch_statement": "condition", "for_range_loop": "declarator"}
 
 
-def hides(reader: ExprReader, statement: Node, before: Iterable[Statement]) -> bool:
-    """Tell whether a statement gives a variable the name of one that was declared before it in its function."""
+def hides(reader: ExprReader, statement: Node, before: Set[str]) -> bool:
+    """Tell whether a statement gives a variable the name of one of those that were declared before it."""
     field = _BEFORE.get(statement.type)
     header = statement.child_by_field_name(field) if field is not None else None
     if header is None:
         return False
     names = {declared_name(reader, header)} if statement.type == "for_range_loop" else set(_declared(reader, header))
-    return bool(names) and any(not names.isdisjoint(_bound(each)) for each in before)
+    return not names.isdisjoint(before)
 
 
 def macro_test(reader: ExprReader, node: Node, named: Node | None) -> Expr:
@@ -43,9 +42,3 @@ def _declared(reader: ExprReader, header: Node) -> Iterator[str]:
     elif header.type in {"condition_clause", "init_statement"}:
         for child in header.named_children:
             yield from _declared(reader, child)
-
-
-def _bound(statement: Statement) -> Iterator[str]:
-    if statement.kind in {"let", "each"}:
-        targets = statement.target.items if isinstance(statement.target, Items) else (statement.target,)
-        yield from (target.id for target in targets if isinstance(target, Name))

@@ -8,7 +8,7 @@ stays as it is written. Lines stay as they were. Source: [cpp.replace], [cpp.sub
 """
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from typing import Final, NamedTuple
 
 from ecm_parsers.source.cpp_directives import directives
@@ -20,6 +20,7 @@ _SKIPPED: Final = (
     rb'|\bR"(?P<mark>[^()\\\s"]{0,16})\((?:(?!\)(?P=mark)").)*\)(?P=mark)"'
     rb"""|"(?:[^"\\\n]|\\\r?\n|\\.)*"|'(?:[^'\\\n]|\\.)+'"""
 )
+_TOKEN: Final = re.compile(rb"(?P<skipped>" + _SKIPPED + rb")|\b(?P<name>[A-Za-z_]\w*)", re.DOTALL)
 _OPENED: Final = re.compile(rb"\s*(?=\()")
 _ARGUMENT: Final = re.compile(rb"(?P<skipped>" + _SKIPPED + rb")|(?P<sign>[(),])", re.DOTALL)
 _COMMENT: Final = re.compile(rb"(?P<comment>//[^\n]*|/\*.*?\*/)|" + rb'"(?:[^"\\\n]|\\.)*"', re.DOTALL)
@@ -33,6 +34,8 @@ MAX_PUT = 1_000_000
 """Bytes that macros may stand for in a file, beyond which all stay as they are written."""
 MAX_DEPTH = 12
 """Macros within macros that are followed."""
+MAX_NESTING = 40
+"""Calls within the arguments of calls that are followed."""
 
 
 class Expanded(NamedTuple):
@@ -93,13 +96,13 @@ class _Put:
         names: of macros that may lead to a call.
     """
 
-    def __init__(self, definitions: Definitions, names: Iterable[bytes]) -> None:
+    def __init__(self, definitions: Definitions, names: Set[bytes]) -> None:
         self.definitions = definitions
+        self.names = names
         self.calls = 0
         self.size = 0
         self.calling = 0
-        words = rb"|".join(map(re.escape, sorted(names)))
-        self.token = re.compile(rb"(?P<skipped>" + _SKIPPED + rb")|\b(?P<name>" + words + rb")\b", re.DOTALL)
+        self._nesting = 0
 
     def into(self, data: bytes) -> bytes:
         """Return a text with its macros put in; as it is where these are too many. Directives stay."""
@@ -112,14 +115,17 @@ class _Put:
         pieces.append(self._code(data[position:], ()))
         return data if self._is_full() else b"".join(pieces)
 
+    def _is_deep(self, inside: tuple[bytes, ...]) -> bool:
+        return len(inside) >= MAX_DEPTH or self._nesting >= MAX_NESTING
+
     def _is_full(self) -> bool:
         return self.calls > MAX_CALLS or self.size > MAX_PUT
 
     def _code(self, data: bytes, inside: tuple[bytes, ...]) -> bytes:
         pieces: list[bytes] = []
         position = 0
-        while (match := self.token.search(data, position)) is not None:
-            found = self._found(data, match, inside) if match["name"] is not None else None
+        while (match := _TOKEN.search(data, position)) is not None:
+            found = self._found(data, match, inside) if match["name"] in self.names else None
             end = match.end() if found is None else found.end
             pieces += [data[position : match.start()], match.group() if found is None else found.put]
             if found is not None:
@@ -132,13 +138,15 @@ class _Put:
         """What stands for a name; None where it stays as it is written."""
         name = match["name"]
         macro = self.definitions.of(name)
-        if macro is None or name in inside or len(inside) >= MAX_DEPTH or self._is_full():
+        if macro is None or name in inside or self._is_deep(inside) or self._is_full():
             return None
         given = _given(macro, data, match.end())
         if given is None:
             return None
         before = self.calling
+        self._nesting += 1
         put = self._put(macro, given.given, inside)
+        self._nesting -= 1
         if put is None or self.calling == before:
             return None
         self.size += len(put)
@@ -152,6 +160,9 @@ class _Put:
         if written is None:
             return None
         bound = {name: _Argument(each, self._code(each, inside)) for name, each in written.items()}
+        longest = max([len(each.put) for each in bound.values()])
+        if self._is_full() or longest * len(_PART.findall(macro.body)) > MAX_PUT:
+            return None
         return self._code(_Body(bound).of(macro.body), (*inside, macro.name))
 
 

@@ -4,6 +4,7 @@ Source: [cpp.replace], [cpp.scope] of the C++ standard: a definition holds until
 """
 
 import re
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final, NamedTuple
 
@@ -28,6 +29,10 @@ _CALLED: Final = re.compile(
 )
 MAX_BODY = 4_000
 """A longer body, in bytes, is left as it is."""
+MAX_PATH = 40
+"""Conditionals around a definition that are told apart."""
+MAX_HELD = 8
+"""Definitions of a name that are kept: with more of them it is not known which one holds."""
 _Path = tuple[tuple[int, int], ...]
 """The conditionals around a directive, each with which of its branches."""
 
@@ -90,8 +95,8 @@ class Definitions:
         name = _NAME.match(rest)
         if name is None:
             return
-        path = tuple(self._path)
-        before = self._held.get(name.group(), [])
+        path = tuple(self._path[:MAX_PATH])
+        before = self._held.get(name.group(), [])[:MAX_HELD]
         if word == b"undef":
             self._held[name.group()] = [each for each in before if each.path[: len(path)] != path]
         else:
@@ -130,8 +135,14 @@ def _takes_rows(definition: Replacement) -> bool:
 
 def leading(wanted: Iterable[bytes], definitions: Sequence[Replacement]) -> set[bytes]:
     """Return the wanted names, and those whose bodies name one of them, in any number of steps."""
-    words = {(each.name, each.body): set(_WORD.findall(each.body)) for each in definitions}
+    naming: dict[bytes, list[bytes]] = defaultdict(list)
+    for each in definitions:
+        for word in set(_WORD.findall(each.body)):
+            naming[word].append(each.name)
     found = set(wanted)
-    while more := {name for (name, _), named in words.items() if name not in found and named & found}:
-        found |= more
+    pending = list(found)
+    while pending:
+        more = [name for name in naming.get(pending.pop(), ()) if name not in found]
+        found.update(more)
+        pending += more
     return found

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Name
+from ecm_parsers.source.expr import Expr, Items, Name
 from ecm_parsers.source.facts import Statement, StatementKind
 from ecm_parsers.source.flow import Block, FlowWriter, Step
 
@@ -18,6 +19,7 @@ class StatementWriter:
     Attributes:
         statements: what was written so far, in source order.
         depth: how many branches, loops and handlers stand around what is read now.
+        declared: the variables that were declared so far.
         lambdas: how many anonymous lambdas stand around it.
     """
 
@@ -25,6 +27,7 @@ class StatementWriter:
         self.statements: list[Statement] = []
         self.depth = 0
         self.lambdas = 0
+        self.declared: set[str] = set()
         self._flow = FlowWriter()
 
     def add(
@@ -39,6 +42,8 @@ class StatementWriter:
         """Add a statement that runs after those of the block at hand."""
         self.step(len(self.statements))
         later = self.lambdas > 0
+        if kind in {"let", "each"}:
+            self.declared.update(_names(target))
         self.statements.append(Statement(kind, line_of(node), value, target, declared, self.depth, later, kept))
 
     def apart(self, node: Node, value: Expr, target: Expr, declared: str = "") -> int:
@@ -82,6 +87,11 @@ def otherwise(node: Node) -> Node | None:
     if clause is None or clause.type != "else_clause":
         return clause
     return next((child for child in clause.named_children if child.type != "comment"), None)
+
+
+def _names(target: Expr | None) -> Iterator[str]:
+    targets = target.items if isinstance(target, Items) else (target,)
+    return (each.id for each in targets if isinstance(each, Name))
 
 
 def _is_kept_value(statement: Statement) -> bool:

@@ -100,6 +100,7 @@ def _read_class(scan: Scan, node: Node, decorators: list[Node]) -> None:
     frame.fields = fields
     frame.owner = Member(outer.owner, name) if outer.owner is not None else Name(name)
     frame.bases = _bases(scan, bases) if bases is not None else ()
+    before = len(scan.functions)
     _read_body(scan, node, frame)
     made = Class(
         name=name,
@@ -112,7 +113,9 @@ def _read_class(scan: Scan, node: Node, decorators: list[Node]) -> None:
         decorators=tuple([scan.expr(each) for each in decorators]),
     )
     scan.classes.append(made)
-    init = generated_init(made, frame.scope, [each.name for each in scan.functions if each.scope == frame.scope])
+    init = generated_init(
+        made, frame.scope, [each.name for each in scan.functions[before:] if each.scope == frame.scope]
+    )
     if init is not None:
         scan.functions.append(init)
 

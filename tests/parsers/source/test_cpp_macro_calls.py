@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from time import monotonic
+
 import pytest
-from ecm_parsers.source.cpp_macro_calls import MAX_CALLS, with_macro_calls
+from ecm_parsers.source.cpp_macro_calls import MAX_CALLS, MAX_PUT, with_macro_calls
 
 PUB = "#define PUB(var, type, ...) do { log(#type); var = node->create<type>(__VA_ARGS__); } while (0)\n"
 GET = "#define GET(name) node->get(name)\n"
@@ -52,3 +54,25 @@ def test_a_file_of_too_many_calls_is_left_alone() -> None:
     """Macros that call each other cannot make a file grow without end."""
     data = (GET + "GET(a);\n" * (MAX_CALLS + 1)).encode()
     assert with_macro_calls(data).data == data
+
+
+MANY = 3_000
+HOSTILE = {
+    "arguments that double": "#define TWICE(x) x x\n" + GET + "TWICE(" * 60 + "GET(a)" + ")" * 60 + ";\n",
+    "calls in calls": GET + "GET(" * MANY + "a" + ")" * MANY + ";\n",
+    "a body of many uses": "#define MANY(x) " + "x " * 1_500 + "\n" + GET + f"MANY(GET({'a' * 60_000}));\n",
+    "a long way to a call": "".join(f"#define M{at} M{at + 1}\n" for at in range(MANY))
+    + f"#define M{MANY}(x) o.get(x)\nM0(1);\n",
+    "many macros": "".join(f"#define M{at}(x) o.get{at}(x)\n" for at in range(MANY)) + "word " * 60_000,
+    "many definitions of one": "#define GET(x) o.get(x)\n" * MANY + "GET(a);\n" * 500,
+    "many conditionals": "#if A\n" * MANY + GET * 300 + "GET(a);\n",
+}
+
+
+@pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE.keys())
+def test_macros_of_somebody_else_take_no_time(text: str) -> None:
+    """What would stand for itself without end is left as it is written."""
+    begin = monotonic()
+    found = with_macro_calls(text.encode()).data
+    assert monotonic() - begin < 3
+    assert len(found) <= len(text) + 2 * MAX_PUT
