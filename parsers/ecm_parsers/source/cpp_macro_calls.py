@@ -21,6 +21,7 @@ _SKIPPED: Final = (
     rb"""|"(?:[^"\\\n]|\\\r?\n|\\.)*"|'(?:[^'\\\n]|\\.)+'"""
 )
 _TOKEN: Final = re.compile(rb"(?P<skipped>" + _SKIPPED + rb")|\b(?P<name>[A-Za-z_]\w*)", re.DOTALL)
+_WORD: Final = re.compile(rb"[A-Za-z_]\w*")
 _OPENED: Final = re.compile(rb"\s*(?=\()")
 _ARGUMENT: Final = re.compile(rb"(?P<skipped>" + _SKIPPED + rb")|(?P<sign>[(),])", re.DOTALL)
 _COMMENT: Final = re.compile(rb"(?P<comment>//[^\n]*|/\*.*?\*/)|" + rb'"(?:[^"\\\n]|\\.)*"', re.DOTALL)
@@ -76,9 +77,10 @@ def with_macro_calls(data: bytes, brought: Sequence[Replacement] = ()) -> Expand
     calling = {each.name for each in known if is_calling(each)}
     if not calling:
         return Expanded(data, exported(_held_at_end(data)))
-    names = leading(calling, known) | {each.name for each in known if each.params is not None}
+    calling = leading(calling, known)
+    around = {each.name for each in known if each.params is not None}
     definitions = Definitions(brought)
-    return Expanded(_Put(definitions, names).into(data), exported(definitions))
+    return Expanded(_Put(definitions, calling, around).into(data), exported(definitions))
 
 
 def _held_at_end(data: bytes) -> Definitions:
@@ -93,12 +95,14 @@ class _Put:
 
     Args:
         definitions: those that hold at its beginning.
-        names: of macros that may lead to a call.
+        leading: names of macros that may lead to a call.
+        around: names of those that may have such a one among their arguments.
     """
 
-    def __init__(self, definitions: Definitions, names: Set[bytes]) -> None:
+    def __init__(self, definitions: Definitions, leading: Set[bytes], around: Set[bytes]) -> None:
         self.definitions = definitions
-        self.names = names
+        self.leading = leading
+        self.names = leading | around
         self.calls = 0
         self.size = 0
         self.calling = 0
@@ -141,7 +145,7 @@ class _Put:
         if macro is None or name in inside or self._is_deep(inside) or self._is_full():
             return None
         given = _given(macro, data, match.end())
-        if given is None:
+        if given is None or not self._leads(name, given.given):
             return None
         before = self.calling
         self._nesting += 1
@@ -151,6 +155,10 @@ class _Put:
             return None
         self.size += len(put)
         return _Found(put, given.end)
+
+    def _leads(self, name: bytes, given: Sequence[bytes]) -> bool:
+        """Whether a call of a macro may lead to another call: by what it stands for, or by its arguments."""
+        return name in self.leading or any(word in self.leading for each in given for word in _WORD.findall(each))
 
     def _put(self, macro: Replacement, given: Sequence[bytes], inside: tuple[bytes, ...]) -> bytes | None:
         """The body of a macro for some arguments; None for a wrong count of them."""

@@ -20,6 +20,7 @@ ROWS = [
     (GET, "GET(a, b); s = \"GET(a)\"; // GET(a)", "GET(a, b); s = \"GET(a)\"; // GET(a)"),
     ("#define JOIN(a) node->get_##a##_b()\n", "JOIN(x);", "node->get_x_b();"),
     (GET + "#define NAME x\n#define JOIN(a) GET(a##1)\n", "JOIN(NAME);", "node->get(NAME1);"),
+    (GET + "#define BIT(x) (1 << x)\n", "BIT(1);" * 3_000 + "GET(a);", "BIT(1);" * 3_000 + "node->get(a);"),
     (GET, "GET(GET(a));", "node->get(node->get(a));"),
     (GET + "#define TRY(x) if (!(x)) stop\n", "TRY(GET(a));", "if (!(node->get(a))) stop;"),
     (GET + "#define TRY(x) if (!(x)) stop\n", "TRY(a);", "TRY(a);"),
