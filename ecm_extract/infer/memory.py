@@ -109,7 +109,8 @@ class Memory:
         for whole in wholes(key):
             names, part = self.names(whole, state), key.removeprefix(whole)
             keys |= {name + part for name in names}
-            perhaps |= {name + part for name in self.sharing.holding(names, state)}
+            if self.frame.python:
+                perhaps |= {name + part for name in self.sharing.holding(names, state)}
         unknown = {name: (Held("lost", name),) for name in perhaps - keys}
         return state.having(unknown).having(dict.fromkeys(keys, (held,)))
 

@@ -12,6 +12,9 @@ from ecm_extract.infer.effects import is_plain, shared_names
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.outline import Outline
 
+MAX_HELD = 500
+"""What a variable held before that is looked through; one that held more may be, or consist of, any other."""
+
 
 class Sharing:
     """The variables of one function that share what they hold, by key (see `places`)."""
@@ -125,6 +128,8 @@ class Sharing:
             if held in seen:
                 continue
             seen.add(held)
+            if len(seen) > MAX_HELD:
+                return set(state.holds)
             pending += _before(held)
             there = held.env.state.holds if held.env is not None and held.env.state is not None else {}
             for key in self._named(held):
