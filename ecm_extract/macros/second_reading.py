@@ -1,6 +1,7 @@
 """Files that call macros of headers are read again with these: a parser sees one file at a time.
 
-Which headers a file sees is only known when all are read. A name that two of them give another meaning is none.
+Which headers a file sees is only known when all are read. Of a name to which two of them give another
+meaning nothing is told, and the file says so.
 Source: [cpp.replace] of the C++ standard.
 """
 
@@ -16,6 +17,7 @@ from ecm_parsers.source.facts import Replacement
 from ecm_extract.link.code.units import File
 from ecm_extract.link.owning.built import files_of
 from ecm_extract.macros.rows import HeaderRow, macros_of_headers
+from ecm_extract.read.cuts import located
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.headers import Headers
 from ecm_extract.resolve.layout import layouts
@@ -47,12 +49,15 @@ def read_with_header_macros(packages: Sequence[PackageFacts], tree: Tree, rows: 
     wanted = _wanted(packages, known) if any(_is_concerned(package, known) for package in packages) else {}
     if not wanted:
         return
-    from ecm_parsers.source.cpp import parse_cpp
+    from ecm_parsers.source.cpp import TOLD_OF_MACROS, parse_cpp
 
     for path, data in tree.read_many(list(wanted)):
         found = wanted[path]
         if _may_call(data, found.macros):
             read = parse_cpp(data, found.macros)
+            for entry in read.diagnostics:
+                if entry.code in TOLD_OF_MACROS:
+                    tree.report(located(path, entry))
             if not any(entry.cut for entry in read.diagnostics):
                 found.package.sources[path] = read.facts
 
@@ -66,7 +71,8 @@ def _wanted(packages: Sequence[PackageFacts], known: _Known) -> Mapping[str, _Wa
     files = files_of(packages)
     headers = Headers(files, Sight(packages, files), layouts(packages))
     owners = {path: package for package in packages for path in package.sources}
-    seen = {file.path: _agreed(_seen(file, headers.of(file), known)) for file in files if file.language == "cpp"}
+    of_cpp = (file for file in files if file.language == "cpp")
+    seen = {file.path: tuple(dict.fromkeys(_seen(file, headers.of(file), known))) for file in of_cpp}
     return {path: _Wanted(owners[path], macros) for path, macros in sorted(seen.items()) if macros}
 
 
@@ -78,14 +84,6 @@ def _seen(file: File, headers: Collection[File], known: _Known) -> Iterator[Repl
             yield from known[module]
     for header in headers:
         yield from header.facts.exported
-
-
-def _agreed(macros: Iterable[Replacement]) -> _Macros:
-    """The macros of several headers, without those that are not the same in all of them."""
-    found: dict[bytes, set[Replacement]] = {}
-    for each in macros:
-        found.setdefault(each.name, set()).add(each)
-    return tuple([next(iter(same)) for _, same in sorted(found.items()) if len(same) == 1])
 
 
 def _may_call(data: bytes, macros: _Macros) -> bool:

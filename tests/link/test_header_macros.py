@@ -6,6 +6,10 @@ from typing import Any
 
 import pytest
 
+from ecm_extract.extraction import extract
+from ecm_extract.extraction_model import Options
+from ecm_extract.tree import open_tree
+
 GET = "#define GET(name, value) node->declare_parameter(#name, value)\n"
 SHORT = GET + "#define GET_RATE() GET(rate, 10)\n"
 OTHER = '#define GET(name, value) node->declare_parameter("other_" #name, value)\n'
@@ -36,3 +40,13 @@ def test_calls_of_macros_of_headers(
     source = CALL.format(header=header, call=call)
     package = workspace.package({**files, "src/d.cpp": source, "CMakeLists.txt": CMAKE})
     assert [entry.name for entry in package.interfaces() if entry.role == "parameter"] == expected
+
+
+def test_two_headers_that_differ_are_said(workspace: Any) -> None:
+    """Nothing is told of the call, so that this is told."""
+    files = {"src/get.hpp": GET, "src/other.hpp": OTHER}
+    source = CALL.format(header="get.hpp", call="GET(rate, 10);").replace("int main", '#include "other.hpp"\nint main')
+    found = workspace.package({**files, "src/d.cpp": source, "CMakeLists.txt": CMAKE})
+    assert [entry.name for entry in found.interfaces() if entry.role == "parameter"] == []
+    read = extract(open_tree(workspace.root), Options(jobs=1))
+    assert [each.code for each in read.diagnostics if each.path.endswith("d.cpp")] == ["cpp-macros"]

@@ -10,18 +10,22 @@ from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.source import cpp_text
 from ecm_parsers.source.cpp_dead import without_dead
 from ecm_parsers.source.cpp_declarations import DeclarationReader
-from ecm_parsers.source.cpp_macro_calls import with_macro_calls
+from ecm_parsers.source.cpp_macro_calls import Expanded, with_macro_calls
 from ecm_parsers.source.cpp_mentions import mentions
 from ecm_parsers.source.cpp_parser import MAX_SECONDS, TooSlowError, first_error, parse_tree
 from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.facts import Macro, Replacement, SourceFile
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from tree_sitter import Tree
 
 MAX_BYTES = 4_000_000
+TOLD_OF_MACROS = frozenset({"cpp-macros-cut", "cpp-macros"})
+"""Codes of what is said of macros."""
+MAX_NAMES = 5
+"""Macros that a diagnostic names."""
 
 
 def parse_cpp(data: bytes, brought: Sequence[Replacement] = ()) -> Parsed[SourceFile]:
@@ -37,7 +41,8 @@ def parse_cpp(data: bytes, brought: Sequence[Replacement] = ()) -> Parsed[Source
     if len(data) > MAX_BYTES:
         message = f"{len(data)} bytes of C++ were not read: the limit is {MAX_BYTES}. Exclude generated files."
         return Parsed(SourceFile("cpp"), (Diagnostic("warning", "cpp-too-large", 0, message, cut=True),))
-    data, exported = with_macro_calls(without_dead(data), brought)
+    expanded = with_macro_calls(without_dead(data), brought)
+    data = expanded.data
     try:
         tree, read = parse_tree(data)
     except TooSlowError:
@@ -47,8 +52,20 @@ def parse_cpp(data: bytes, brought: Sequence[Replacement] = ()) -> Parsed[Source
     reader.read(tree.root_node, Place())
     written = cpp_text.registrations(data)
     macros = tuple([Macro(name, args, line, reader.namespace_at(line)) for name, args, line in written])
-    facts = msgspec.structs.replace(reader.facts(macros), mentions=mentions(tree.root_node, read), exported=exported)
-    return Parsed(facts, _diagnostics(tree))
+    facts = msgspec.structs.replace(
+        reader.facts(macros), mentions=mentions(tree.root_node, read), exported=expanded.exported
+    )
+    return Parsed(facts, (*_of_macros(expanded), *_diagnostics(tree)))
+
+
+def _of_macros(expanded: Expanded) -> Iterator[Diagnostic]:
+    if expanded.is_cut:
+        message = "More stands for macros than is put in; what they declare is not told. Exclude generated files."
+        yield Diagnostic("warning", "cpp-macros-cut", 0, message, cut=True)
+    if expanded.several:
+        names = b", ".join(expanded.several[:MAX_NAMES]).decode(errors="replace")
+        message = f"Which definition of these macros holds is not known, so what they declare is not told: {names}."
+        yield Diagnostic("info", "cpp-macros", 0, message)
 
 
 def _diagnostics(tree: Tree) -> tuple[Diagnostic, ...]:

@@ -40,10 +40,18 @@ MAX_NESTING = 40
 
 
 class Expanded(NamedTuple):
-    """A text with its macros put in, and the macros that a file which includes it can call."""
+    """A text with its macros put in.
+
+    Attributes:
+        exported: the macros that a file which includes it can call.
+        is_cut: more stands for macros than is put in.
+        several: names of macros that may call something, of which it is not known which definition holds.
+    """
 
     data: bytes
     exported: tuple[Replacement, ...] = ()
+    is_cut: bool = False
+    several: tuple[bytes, ...] = ()
 
 
 class _Arguments(NamedTuple):
@@ -80,7 +88,9 @@ def with_macro_calls(data: bytes, brought: Sequence[Replacement] = ()) -> Expand
     calling = leading(calling, known)
     around = {each.name for each in known if each.params is not None}
     definitions = Definitions(brought)
-    return Expanded(_Put(definitions, calling, around).into(data), exported(definitions))
+    putting = _Put(definitions, calling, around)
+    put = putting.into(data)
+    return Expanded(put, exported(definitions), putting.is_cut, tuple(sorted(putting.several)))
 
 
 def _held_at_end(data: bytes) -> Definitions:
@@ -106,6 +116,8 @@ class _Put:
         self.calls = 0
         self.size = 0
         self.calling = 0
+        self.is_cut = False
+        self.several: set[bytes] = set()
         self._nesting = 0
 
     def into(self, data: bytes) -> bytes:
@@ -119,8 +131,10 @@ class _Put:
         pieces.append(self._code(data[position:], ()))
         return data if self._is_full() else b"".join(pieces)
 
-    def _is_deep(self, inside: tuple[bytes, ...]) -> bool:
-        return len(inside) >= MAX_DEPTH or self._nesting >= MAX_NESTING
+    def _is_beyond(self, inside: tuple[bytes, ...]) -> bool:
+        beyond = self._is_full() or len(inside) >= MAX_DEPTH or self._nesting >= MAX_NESTING
+        self.is_cut |= beyond
+        return beyond
 
     def _is_full(self) -> bool:
         return self.calls > MAX_CALLS or self.size > MAX_PUT
@@ -142,7 +156,9 @@ class _Put:
         """What stands for a name; None where it stays as it is written."""
         name = match["name"]
         macro = self.definitions.of(name)
-        if macro is None or name in inside or self._is_deep(inside) or self._is_full():
+        if macro is None and name in self.leading and self.definitions.is_open(name):
+            self.several.add(name)
+        if macro is None or name in inside or self._is_beyond(inside):
             return None
         given = _given(macro, data, match.end())
         if given is None or not self._leads(name, given.given):
@@ -170,6 +186,7 @@ class _Put:
         bound = {name: _Argument(each, self._code(each, inside)) for name, each in written.items()}
         longest = max([len(each.put) for each in bound.values()])
         if self._is_full() or longest * len(_PART.findall(macro.body)) > MAX_PUT:
+            self.is_cut = True
             return None
         return self._code(_Body(bound).of(macro.body), (*inside, macro.name))
 
@@ -231,7 +248,9 @@ def _without(match: re.Match[bytes]) -> bytes:
 
 
 def _bound(params: Sequence[bytes], given: Sequence[bytes]) -> Mapping[bytes, bytes] | None:
-    named = params[:-1] if params[-1:] == (b"...",) else params
+    last = params[-1] if params else b""
+    named = params[:-1] if last.endswith(b"...") else params
     if len(given) < len(named) or (named is params and params and len(given) != len(params)):
         return None
-    return {**dict(zip(named, given, strict=False)), _REST: b", ".join(given[len(named) :])}
+    rest = last.removesuffix(b"...").strip() or _REST if named is not params else _REST
+    return {**dict(zip(named, given, strict=False)), rest: b", ".join(given[len(named) :])}

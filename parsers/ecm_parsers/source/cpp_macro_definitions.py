@@ -43,7 +43,7 @@ class _Held(NamedTuple):
 
 
 def replacement(rest: bytes) -> Replacement | None:
-    """Return what a `#define` says of its name; None for what is not followed: a long text, named variadic parameters.
+    """Return what a `#define` says of its name; None for what is not followed: a long text, `__VA_OPT__`.
 
     Args:
         rest: what stands behind `#define`, without comments.
@@ -53,8 +53,6 @@ def replacement(rest: bytes) -> Replacement | None:
         return None
     written = match["params"]
     params = tuple([each.strip() for each in written.split(b",")]) if written and written.strip() else ()
-    if any(each.endswith(b"...") and each != b"..." for each in params):
-        return None
     return Replacement(match["name"], None if written is None else params, match["body"].strip())
 
 
@@ -69,11 +67,13 @@ class Definitions:
     """The macros that hold at a place: directives are taken in their order.
 
     Args:
-        brought: those of headers, which hold from the beginning.
+        brought: those of headers, which hold from the beginning; of a name there may be several.
     """
 
     def __init__(self, brought: Iterable[Replacement] = ()) -> None:
-        self._held: dict[bytes, list[_Held]] = {each.name: [_Held(each, ())] for each in brought}
+        self._held: dict[bytes, list[_Held]] = {}
+        for each in brought:
+            self._held.setdefault(each.name, []).append(_Held(each, ()))
         self._path: list[tuple[int, int]] = []
         self._groups = 0
 
@@ -108,21 +108,29 @@ class Definitions:
         first = held[0].definition if held else None
         return first if all(each.definition == first for each in held) else None
 
-    def names(self) -> Iterator[bytes]:
-        """Yield the names that stand for something here."""
-        return (name for name, held in self._held.items() if held)
+    def is_open(self, name: bytes) -> bool:
+        """Tell whether a name stands for something here of which it is not known what that is."""
+        return bool(self._held.get(name)) and self.of(name) is None
+
+    def all(self) -> Iterator[Replacement]:
+        """Yield what may hold here."""
+        found = (each.definition for held in self._held.values() for each in held)
+        return (each for each in found if each is not None)
 
 
 def exported(definitions: Definitions) -> tuple[Replacement, ...]:
-    """Return the macros by which files that include this one may call something, by name.
+    """Return the macros by which files that include this one may call something, by name; all that may hold.
 
     With them are lists of rows, whose row each file defines for itself, and what puts a list where statements stand.
     """
-    held = [found for name in definitions.names() if (found := definitions.of(name)) is not None]
+    held = sorted(set(definitions.all()), key=_order)
     names = leading({each.name for each in held if is_calling(each)}, held)
     rows = leading({each.name for each in held if _is_rows(each)}, held)
-    needed = [each for each in held if each.name in names | rows or (names and _takes_rows(each))]
-    return tuple(sorted(needed, key=lambda each: each.name))
+    return tuple([each for each in held if each.name in names | rows or (names and _takes_rows(each))])
+
+
+def _order(definition: Replacement) -> tuple[bytes, tuple[bytes, ...], bytes]:
+    return definition.name, definition.params or (), definition.body
 
 
 def _is_rows(definition: Replacement) -> bool:
