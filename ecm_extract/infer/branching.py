@@ -116,12 +116,11 @@ class Branching:
         """Run a block, its handlers where something in it may raise, and what runs in the end."""
         if not step.final:
             return self._handled(step, state)
-        ways = self.exits.ways()
-        before = [len(way) for way in ways]
+        before = self.exits.reached()
         self.exits.enter_final()
         met = self._handled(step, state)
         around = self.exits.end()
-        self._leave_by(step.final, ways, before)
+        self.exits.leave_through(before, lambda leaving: self.blocks.run(step.final, leaving))
         if met is None and not around.passing and not around.risky:
             self.blocks.unreached(step.final, state)
         self._pass_by(step.final, around)
@@ -141,13 +140,6 @@ class Branching:
             with self.exits.handling(catching.caught):
                 outs.append(self.blocks.run(handler.body, self.frame.undecided(caught)))
         return joined_states(outs)
-
-    def _leave_by(self, final: Block, ways: Sequence[list[State]], before: Sequence[int]) -> None:
-        """What returns, breaks or continues runs what stands in the end first."""
-        for way, count in zip(ways, before, strict=True):
-            leaving = joined_states(way[count:])
-            after = self.blocks.run(final, leaving) if leaving is not None else None
-            way[count:] = [after] if after is not None else []
 
     def _pass_by(self, final: Block, around: Around) -> None:
         """What is raised goes on behind what runs in the end."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
-from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.kinds import Kind, any_fits
 from ecm_extract.infer.routes import Fitting, Raising
 from ecm_extract.infer.run import Frame, Raised
@@ -34,6 +35,12 @@ class Around:
     risky: list[State] = field(default_factory=list)
 
 
+class Reached(NamedTuple):
+    """Ways out of blocks, each with how many states it had at a place."""
+
+    ways: Sequence[tuple[list[State], int]]
+
+
 class Exits:
     """Collects the states in which blocks are left, for where they go on.
 
@@ -58,9 +65,17 @@ class Exits:
         elif how == "return" and not self._frame.later:
             self.left.append(state)
 
-    def ways(self) -> Sequence[list[State]]:
-        """Return the states that left so far by `return`, and by `break` and `continue` of the loop at hand."""
-        return (self.left, *self._breaks[-1:], *self._continues[-1:])
+    def reached(self) -> Reached:
+        """Return how many states left so far by `return`, and by `break` and `continue` of the loop at hand."""
+        return Reached(tuple([(way, len(way)) for way in (self.left, *self._breaks[-1:], *self._continues[-1:])]))
+
+    def leave_through(self, reached: Reached, final: Callable[[State], State | None]) -> None:
+        """Let what left since then run what stands in the end first."""
+        for way, count in reached.ways:
+            leaving = joined_states(way[count:])
+            del way[count:]  # what stands in the end may leave by the same way itself
+            after = final(leaving) if leaving is not None else None
+            way += [after] if after is not None else []
 
     # --- exceptions --------------------------------------------------------------------------------------
 

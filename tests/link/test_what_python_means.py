@@ -8,7 +8,9 @@ from typing import Any
 import pytest
 
 NODE = """
+import abc
 import dataclasses
+import dataclasses as dc
 import functools
 import typing
 from pkg import tools
@@ -28,6 +30,19 @@ class Row:
 @dataclasses.dataclass
 class LongRow(Row):
     last: str = "l"
+@dc.dataclass
+class Short:
+    word: str = "w"
+@tools.define
+class Odd:
+    way: str = "w"
+class Strange(metaclass=tools.Maker):
+    wish: str = "w"
+class Usual(metaclass=abc.ABCMeta):
+    wing: str = "w"
+class Looked:
+    wood = "w"
+    def __getattribute__(self, name): return "l"
 class Pair(typing.NamedTuple):
     first: str
     second: str = "s"
@@ -89,6 +104,11 @@ ROWS = [
     ("a list of a data class", "pub(Row().more[0] + Row().kept)", [OPEN]),
     ("a data class of another", 'pub(LongRow("a", "b").full())', ["b/a"]),
     ("what a data class has beside another", 'pub(LongRow("a", "b", [], "c").last)', ["l", "{last}"]),
+    ("a data class by another name of its module", 'pub(Short("a").word)', ["a"]),
+    ("a decorator that is not known", 'pub(Odd("a").way)', ["w", "{way}"]),
+    ("a metaclass", 'pub(Strange("a").wish)', ["w", "{wish}"]),
+    ("a metaclass that leaves a class as it is", "pub(Usual().wing)", ["w"]),
+    ("a class that looks its attributes up itself", "pub(Looked().wood)", ["w", "{wood}"]),
     ("a named tuple", 'pub(Pair("a").first + Pair("b", "c").second)', ["ac"]),
     ("a variable of a class", 'Counted()\npub("n%d" % Counted.made)', ["n0", "n{made}"]),
     ("a default that calls before have changed", 'collected("a")\npub(collected("b"))', [OPEN]),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from ecm_parsers.source.cpp_containers import holds_several
 from ecm_parsers.source.expr import Call, Name
 
 from ecm_extract.link.code.spelling import last_name, plain, template_arguments
@@ -37,7 +38,7 @@ def is_map(written: str) -> bool:
 
 def is_container(written: str) -> bool:
     """Tell whether a type, as it is written, is a container."""
-    return last_name(plain(written)) in _OF_FIRST | _OF_SECOND
+    return holds_several(plain(written))
 
 
 def begins_empty(written: str) -> bool:

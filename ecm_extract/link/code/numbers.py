@@ -1,25 +1,36 @@
-"""Types of numbers in C++ and the type of parameter that each is."""
+"""Types of numbers in C++: their sizes, and the type of parameter that each is.
+
+Source: en.cppreference.com, "Fundamental types"; an `int` has 32 bits and a `long` 64, as on the platforms of REP 2000.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Final
 
 from ecm_parsers.numbers import truncated
 from ecm_parsers.source.expr import Constant, Expr, Number, Text
 
 from ecm_extract.link.code.spelling import plain
 
-NUMBERS: Mapping[str, str] = MappingProxyType(
-    dict.fromkeys(("int", "uint", "long", "short", "unsigned", "size_t"), "integer")
-    | {f"{sign}int{bits}_t": "integer" for sign in ("", "u") for bits in (8, 16, 32, 64)}
-    | {"double": "double", "float": "double"}
+BITS: Final[Mapping[str, int]] = MappingProxyType(
+    {"char": 8, "short": 16, "int": 32, "long": 64, "size_t": 64, "ssize_t": 64, "uint": 32, "ushort": 16, "uchar": 8}
+    | {f"{sign}int{bits}_t": bits for sign in ("", "u") for bits in (8, 16, 32, 64)}
 )
+"""Bits of the types of whole numbers, in their short form."""
+WITHOUT_SIGN: Final = frozenset({"size_t", "uint", "ushort", "uchar"} | {f"uint{bits}_t" for bits in (8, 16, 32, 64)})
+CHARACTERS: Final = frozenset({"char", "int8_t", "uint8_t", "uchar"})
+"""Types whose numbers a stream writes as characters."""
+_LETTERS: Final = frozenset({"char", "uchar"})
+NUMBERS: Final[Mapping[str, str]] = MappingProxyType(
+    {name: "integer" for name in (*BITS, "unsigned") if name not in _LETTERS} | {"double": "double", "float": "double"}
+)
+"""Types of numbers, each with the type of the parameters that it is declared with."""
 
 
 def as_number(value: Any, name: str) -> Any:
-    """Return a number as the type of that name holds it; other data stay as they are."""
+    """Return a number as the type of parameter of that name holds it; other data stay as they are."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return value
     kind = NUMBERS.get(name)

@@ -1,33 +1,25 @@
 """Numbers as the declared type of a variable of C++ holds them.
 
-Source: [conv.integral], [conv.fpint], [conv.bool] of the C++ standard; an `int` has 32 bits and a `long` 64, as on the
-platforms of REP 2000. A signed number that does not fit is wrapped, as every compiler for these does.
+Source: [conv.integral], [conv.fpint], [conv.bool] of the C++ standard; a signed number that does not
+fit is wrapped, as every compiler for the platforms of REP 2000 does.
 """
 
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping
-from types import MappingProxyType
 from typing import Any, Final
 
 from ecm_parsers.numbers import truncated
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import UNKNOWN
+from ecm_extract.link.code.numbers import BITS, WITHOUT_SIGN
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.values import Value, constant, unknown
 
-_BITS: Final[Mapping[str, int]] = MappingProxyType(
-    {"char": 8, "short": 16, "int": 32, "long": 64, "size_t": 64, "ssize_t": 64, "uint": 32, "ushort": 16, "uchar": 8}
-    | {f"{sign}int{bits}_t": bits for sign in ("", "u") for bits in (8, 16, 32, 64)}
-)
-_NO_SIGN: Final = frozenset({"size_t", "uint", "ushort", "uchar"} | {f"uint{bits}_t" for bits in (8, 16, 32, 64)})
 _OTHER: Final = frozenset("*[<")
 """What stands in the types of pointers, arrays and templates."""
 _WORDS: Final = frozenset({"unsigned", "signed", "const", "constexpr", "static", "volatile"})
-CHARACTERS: Final = frozenset({"char", "int8_t", "uint8_t", "uchar"})
-"""Types whose numbers a stream writes as characters."""
 
 
 def as_declared(values: tuple[Value, ...], statement: Statement | None, func: Func) -> tuple[Value, ...]:
@@ -57,7 +49,7 @@ def type_of_number(written: str) -> str:
     if first in {"float", "double", "bool"}:
         return first
     found = {"long": "size_t"}.get(first, f"u{first}") if sign else first
-    return found if found in _BITS else ""
+    return found if found in BITS else ""
 
 
 def _cast(value: Value, name: str) -> Value:
@@ -80,9 +72,9 @@ def held_as(data: Any, name: str) -> Any:
     whole = truncated(data)
     if whole is None or name == "char":
         return UNKNOWN
-    bits = _BITS[name]
+    bits = BITS[name]
     wrapped = whole % 2**bits
-    wrapped -= 2**bits if name not in _NO_SIGN and wrapped >= 2 ** (bits - 1) else 0
+    wrapped -= 2**bits if name not in WITHOUT_SIGN and wrapped >= 2 ** (bits - 1) else 0
     return data if type(data) is int and wrapped == data else wrapped
 
 

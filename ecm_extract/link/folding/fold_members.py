@@ -224,7 +224,8 @@ class MemberFolder:
     def is_given(self, name: str, cls: Cls) -> bool:
         """Tell whether others than the methods of a class give a member of some object of it something."""
         if cls.file.language == "python":
-            return bool(self.folder.scope.assigned_outside(name, "python"))
+            remade = any("remade" in entry.fact.traits for entry in self.folder.program.ancestry(cls))
+            return remade or bool(self.folder.scope.assigned_outside(name, "python"))
         return self.folder.given_fields.is_given(name, cls)
 
     def _defined_outside(self, name: str, cls: Cls) -> Expr | None:

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Expr, Name
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.decorators import are_known, names_of
 from ecm_extract.link.code.handing_on import THIS
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overloads import score
-from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.fold_closures import ClosureFolder
 from ecm_extract.link.folding.names_of_nodes import told_by_node
@@ -27,7 +27,6 @@ from ecm_extract.link.running.values import (
     unknown,
     without_defaults,
 )
-from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -80,8 +79,8 @@ class ReturnFolder:
             scores = [score(call, func) for func in fitting]
             fitting = fitting[:1] if scores[1:] and scores[0] > scores[1] and all(kinds) else fitting
         if env.func.file.language == "python":
-            fitting = [func for func in fitting if "overload" not in map(last_name, func.fact.decorators)]
-            if any(map(_is_wrapped, fitting)):
+            fitting = [func for func in fitting if "overload" not in names_of(func.fact.decorators)]
+            if not all(are_known(func.fact) for func in fitting):
                 return None
         return fitting[0] if len(fitting) == 1 else None  # of two in one place, who knows which was declared last
 
@@ -144,12 +143,6 @@ def _class_of(made: Instance | None, callee: Func, call: Invocation, env: Env) -
     if is_own(call.receiver):
         return env.this or env.func.cls or callee.cls
     return made.cls if made is not None else callee.cls
-
-
-def _is_wrapped(func: Func) -> bool:
-    """Tell whether a decorator may give back something else than the function does."""
-    names = {last_name(each.partition("(")[0].strip()) for each in func.fact.decorators}
-    return bool(names - shipped_names("link/owning/reach.toml", "decorators"))
 
 
 def _receiver(call: Invocation) -> Expr | None:

@@ -15,6 +15,7 @@ from ecm_extract.infer.raising_calls import UNPACKED, Operation, operation, unpa
 from ecm_extract.infer.routes import Raising
 from ecm_extract.infer.run import Raised, Run
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.decorators import runs_at_once
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.folding.raise_checks import CHECKS, Asked
@@ -24,7 +25,6 @@ from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
-_CALM_DECORATORS: Final = frozenset({"staticmethod", "classmethod", "override", "property"})
 _CHOOSING: Final = frozenset({"?:", "&&", "||"})
 
 
@@ -149,7 +149,7 @@ class Raises:
         """Whether a call runs the body, and nothing around it that may handle what it raises."""
         has_body = bool(callee.fact.body or callee.fact.flow)
         waits = not {"generator", "coroutine"}.isdisjoint(callee.fact.traits)
-        plain = callee.file.language == "cpp" or _CALM_DECORATORS.issuperset(callee.fact.decorators)
+        plain = callee.file.language == "cpp" or runs_at_once(callee.fact)
         return has_body and not waits and plain
 
     def _has_others(self, callee: Func) -> bool:

@@ -235,7 +235,8 @@ class StructureFolder:
         if makes_tuple(made) and made.args:
             return [Bound(item, bound.env) for item in made.args]
         cls = self._class_called(made, bound.env)
-        if cls is None or any(method.is_constructor for method in cls.methods):
+        is_filled = cls is not None and cls.file.language == "cpp"  # Python has a constructor for what it is given
+        if cls is None or not is_filled or any(method.is_constructor for method in cls.methods):
             return None
         named = [Op(".=", (Name(key), value)) for key, value in made.keywords]
         return [Bound(item, bound.env) for item in (*given_of(made), *named)]

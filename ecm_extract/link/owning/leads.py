@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from ecm_parsers.source.facts import Constant
 
+from ecm_extract.link.code.decorators import are_known
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
@@ -195,8 +196,4 @@ def _runs_unnamed(func: Func) -> bool:
     special = name.startswith("__") and name.endswith("__")  # `__mine` is private and needs to be named
     if func.is_constructor or special or name.startswith(("~", "operator")) or name in _table()["unnamed"]:
         return True
-    return bool(set(map(_bare, func.fact.decorators)) - _table()["decorators"])
-
-
-def _bare(decorator: str) -> str:
-    return last_name(decorator.partition("(")[0].strip())
+    return not are_known(func.fact)

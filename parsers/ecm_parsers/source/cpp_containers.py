@@ -17,7 +17,7 @@ _ARRAY: Final = "array"
 
 
 def holds_several(name: str) -> bool:
-    """Tell whether one value in braces is the first element of a type, and not what begins as that value."""
+    """Tell whether a type is a container: one value in braces is its first element, and not what begins as that."""
     return name.rpartition("::")[2] in _CONTAINERS
 
 

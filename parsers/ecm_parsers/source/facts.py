@@ -100,7 +100,10 @@ class Field(_Fact, frozen=True):
 
 
 class Class(_Fact, frozen=True):
-    """A class or struct with its bases as written (template arguments kept), in Python with what decorates it."""
+    """A class or struct with its bases as written (template arguments kept), in Python with what decorates it.
+
+    One of Python has the trait `remade` where its attributes may be others than its body gives them.
+    """
 
     name: str
     scope: str

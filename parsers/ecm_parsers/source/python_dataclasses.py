@@ -7,7 +7,7 @@ calls `__post_init__` in the end.
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from typing import NamedTuple
 import msgspec
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Op, Opaque
-from ecm_parsers.source.facts import Class, Field, Function, Parameter, Statement
+from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 
 _THIS = Name("this")
 _AFTER = "__post_init__"
@@ -25,8 +25,26 @@ class _Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     decorators: frozenset[str]
     bases: frozenset[str]
     plain: frozenset[str]
+    apart: frozenset[str]
     makers: frozenset[str]
     factories: tuple[str, ...]
+
+
+class Imported(NamedTuple):
+    """What the names of a file mean by its imports."""
+
+    targets: Mapping[str, str]
+
+    @classmethod
+    def of(cls, imports: Iterable[Import]) -> Imported:
+        """Return what import statements bring, by the names that a file has for it."""
+        return cls({each.alias or each.name or each.module: _target(each) for each in imports})
+
+    def full(self, written: str) -> str:
+        """Return the full name of a dotted text, without arguments: `dc.field(...)` is `dataclasses.field`."""
+        name = written.partition("[")[0].partition("(")[0].strip()
+        first, dot, rest = name.partition(".")
+        return f"{self.targets.get(first, first)}{dot}{rest}"
 
 
 class _Taken(NamedTuple):
@@ -43,20 +61,26 @@ def _table() -> _Table:
     return msgspec.convert(tomllib.loads(text), _Table)
 
 
-def generated_init(cls: Class, inside: str, methods: Sequence[str]) -> Function | None:
+def fills(decorator: str) -> bool:
+    """Tell whether a decorator, by its full name, writes the constructor of a class."""
+    return decorator in _table().decorators
+
+
+def generated_init(cls: Class, inside: str, methods: Sequence[str], imported: Imported) -> Function | None:
     """Return the constructor that a class is given by a decorator or a base; None where it is given none.
 
     Args:
         cls: the class.
         inside: the scope of its methods.
         methods: the names of those that it has itself.
+        imported: what the names of its file mean.
     """
     table = _table()
-    decorated = any(_last(each) in table.decorators for each in cls.decorators)
-    bases = [base.partition("[")[0].rpartition(".")[2] for base in cls.bases]
+    decorated = any(fills(imported.full(spelled(each))) for each in cls.decorators)
+    bases = [imported.full(base) for base in cls.bases]
     if "__init__" in methods or not (decorated or not table.bases.isdisjoint(bases)):
         return None
-    taken = list(_taken(cls.fields))
+    taken = list(_taken(cls.fields, imported))
     derived = not table.plain.union(table.bases).issuperset(bases)
     body = [*_of_bases(cls.line)] if derived else []
     body += [_set(each, derived) for each in taken]
@@ -67,16 +91,22 @@ def generated_init(cls: Class, inside: str, methods: Sequence[str]) -> Function 
     return Function("__init__", inside, tuple(every if derived else params), "", cls.line, cls.line, tuple(body))
 
 
-def _taken(fields: Sequence[Field]) -> Iterator[_Taken]:
+def _taken(fields: Sequence[Field], imported: Imported) -> Iterator[_Taken]:
     for field in fields:
-        made = field.default if isinstance(field.default, Call) and _last(field.default) in _table().makers else None
-        if field.type.partition("[")[0].rpartition(".")[2] in {"ClassVar", "KW_ONLY"} or not (field.type or made):
+        made = _making(field.default, imported)
+        if imported.full(field.type) in _table().apart or not (field.type or made):
             continue
         if made is None:
             yield _Taken(field, field.default, is_given=True)
         else:
             said = dict(made.keywords)
             yield _Taken(field, _default(made, said), said.get("init") != Constant("false"))
+
+
+def _making(default: Expr | None, imported: Imported) -> Call | None:
+    """The call that says how a field is made, where one does."""
+    is_one = isinstance(default, Call) and imported.full(spelled(default)) in _table().makers
+    return default if isinstance(default, Call) and is_one else None
 
 
 def _default(made: Call, said: Mapping[str, Expr]) -> Expr | None:
@@ -101,8 +131,15 @@ def _of_bases(line: int) -> Iterator[Statement]:
     yield Statement("do", line, Call(callee, everything, (("**", Name("named")),), line=line, keyword_lines=(line,)))
 
 
-def _last(expr: Expr) -> str:
-    callee = expr.callee if isinstance(expr, Call) else expr
-    return (
-        callee.name if isinstance(callee, Member) else callee.id.rpartition(".")[2] if isinstance(callee, Name) else ""
-    )
+def spelled(expr: Expr) -> str:
+    """Return what is named, or called, as a dotted text; empty for anything else."""
+    if isinstance(expr, Call):
+        return spelled(expr.callee)
+    if isinstance(expr, Member):
+        base = spelled(expr.base)
+        return f"{base}.{expr.name}" if base else ""
+    return expr.id if isinstance(expr, Name) else ""
+
+
+def _target(entry: Import) -> str:
+    return f"{entry.module}.{entry.name}" if entry.name else entry.module

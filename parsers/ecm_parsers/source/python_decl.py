@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+import msgspec
 from tree_sitter import Node
 
 from ecm_parsers.source.expr import Expr, Items, Member, Name, Opaque
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
-from ecm_parsers.source.python_dataclasses import generated_init
+from ecm_parsers.source.python_dataclasses import Imported, generated_init
 from ecm_parsers.source.python_expr import parts
 from ecm_parsers.source.python_parameters import parameters
+from ecm_parsers.source.python_remade import is_remade
 from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler
 
 _THIS = Name("this")
@@ -112,10 +114,12 @@ def _read_class(scan: Scan, node: Node, decorators: list[Node]) -> None:
         traits=_traits(name, tuple([scan.text(each) for each in decorators])),
         decorators=tuple([scan.expr(each) for each in decorators]),
     )
+    methods = [each.name for each in scan.functions[before:] if each.scope == frame.scope]
+    imported = Imported.of(scan.imports)
+    if is_remade(made, _metaclass(scan, bases), methods, imported):
+        made = msgspec.structs.replace(made, traits=(*made.traits, "remade"))
     scan.classes.append(made)
-    init = generated_init(
-        made, frame.scope, [each.name for each in scan.functions[before:] if each.scope == frame.scope]
-    )
+    init = generated_init(made, frame.scope, methods, imported)
     if init is not None:
         scan.functions.append(init)
 
@@ -149,6 +153,12 @@ def _inside(scope: str, name: str) -> str:
 
 def _bases(scan: Scan, node: Node) -> tuple[str, ...]:
     return tuple(scan.text(child) for child in parts(node) if child.type != "keyword_argument")
+
+
+def _metaclass(scan: Scan, bases: Node | None) -> str:
+    """What makes a class, where its head says so."""
+    named = (child for child in (parts(bases) if bases is not None else ()) if child.type == "keyword_argument")
+    return next((scan.text(each.children[-1]) for each in named if scan.text(each.children[0]) == "metaclass"), "")
 
 
 def _traits(name: str, decorators: tuple[str, ...]) -> tuple[str, ...]:

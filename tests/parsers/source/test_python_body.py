@@ -126,6 +126,7 @@ def test_class_keeps_bases_as_written_and_its_fields() -> None:
             Field("kind", "int", 8),
             Field("x", "float", 11, Number(1.5)),
         ),
+        traits=("remade",),
         decorators=(Call(Name("deco"), (Text("x"),), line=2),),
     )
     assert facts(CLASS).classes == (expected,)
