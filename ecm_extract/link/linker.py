@@ -48,6 +48,7 @@ from ecm_extract.link.naming.names import (
     is_never_made,
     of_node,
     parameter_name,
+    without_empty_default,
 )
 from ecm_extract.link.naming.node_names import NodeName, NodeNames
 from ecm_extract.link.naming.plugin_names import Names, with_own_names
@@ -258,7 +259,8 @@ class Linker:
         when = self.conditions.of(site)
         names = self._named(site)
         is_choice = any("one_of" in (named.confidence, named.beside) for named, _ in names)
-        for named, default in names:
+        for written, default in names:
+            named = written if site.form.row.value else without_empty_default(written)
             value = of_node(named, node, ros)
             own = settled(named)
             local = local_parameter(own, handle, ros) if site.form.row.value else local_name(own, handle, node)

@@ -37,6 +37,17 @@ public:
 };
 int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<N>()); }
 """
+MADE_ELSEWHERE = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+class Tool : public rclcpp::Node {
+public:
+  explicit Tool(const std::string & topic = "") : Node("tool") {
+    if (!topic.empty()) { create_publisher<std_msgs::msg::String>(topic, 10); }
+  }
+};
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); %s }
+"""
 
 
 def test_ros_2_has_no_endpoint_without_a_name(workspace: Any) -> None:
@@ -50,3 +61,11 @@ def test_a_value_of_no_type_is_no_text(workspace: Any) -> None:
     found = workspace.package({"src/n.cpp": DYNAMIC}).interfaces()
     told = {(one.name, one.type, one.default) for one in found}
     assert told == {("index", None, None), ("other", None, None), ("/{other}", "std_msgs/msg/String", None)}
+
+
+def test_who_makes_an_object_may_give_an_empty_default_a_name(workspace: Any) -> None:
+    """Nothing was told of what only those who make the object with a name have; a default that holds makes nothing."""
+    open_ = workspace.package({"src/n.cpp": MADE_ELSEWHERE % "spin_all(&make<Tool>);"}).interfaces()
+    assert [(one.raw_name, one.confidence) for one in open_ if one.role == "publisher"] == [("{topic}", "pattern")]
+    made = workspace.package({"src/n.cpp": MADE_ELSEWHERE % "rclcpp::spin(std::make_shared<Tool>());"}).interfaces()
+    assert [one.raw_name for one in made if one.role == "publisher"] == []

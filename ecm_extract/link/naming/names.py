@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ecm_extract.link.naming.handles import Handle, under
 from ecm_extract.link.running.own_names import with_node
-from ecm_extract.link.running.values import Hole, Value, settled
+from ecm_extract.link.running.values import Hole, Value, settled, without_defaults
 
 
 class RosName(NamedTuple):
@@ -65,6 +65,11 @@ def is_never_made(value: Value, name: RosName, ros: int | None) -> bool:
     ROS 2 has no empty names in a namespace either (rcl/validate_topic_name.h).
     """
     return value.text == "" and not value.template and (name.resolved == "/" or ros == 2)
+
+
+def without_empty_default(value: Value) -> Value:
+    """Leave a name open that is empty when who makes the object says nothing: only who does makes something of it."""
+    return value if settled(value).text else without_defaults(value)
 
 
 def _after(value: Value, kind: str) -> str | None:
