@@ -43,6 +43,11 @@ class Usual(metaclass=abc.ABCMeta):
 class Looked:
     wood = "w"
     def __getattribute__(self, name): return "l"
+class Holder:
+    def __init__(self, given):
+        self.held = given
+        tools.note(given)
+    def ask(self): return self.held
 class Pair(typing.NamedTuple):
     first: str
     second: str = "s"
@@ -109,6 +114,7 @@ ROWS = [
     ("a metaclass", 'pub(Strange("a").wish)', ["w", "{wish}"]),
     ("a metaclass that leaves a class as it is", "pub(Usual().wing)", ["w"]),
     ("a class that looks its attributes up itself", "pub(Looked().wood)", ["w", "{wood}"]),
+    ("a member whose value is handed on, too", 'pub(Holder("a").ask())', ["a"]),
     ("a named tuple", 'pub(Pair("a").first + Pair("b", "c").second)', ["ac"]),
     ("a variable of a class", 'Counted()\npub("n%d" % Counted.made)', ["n0", "n{made}"]),
     ("a default that calls before have changed", 'collected("a")\npub(collected("b"))', [OPEN]),

@@ -286,11 +286,12 @@ def _taken_of(value: Value, name: str) -> tuple[Value, ...]:
 
 
 def _is_as_given(held: Held) -> bool:
-    """Tell whether a text of Python is the one that the function found: who was handed it cannot change it."""
+    """Tell whether a member of Python is the text that the function found: who was handed it cannot change it."""
     pending, seen = [held], {held}
     while pending:
         each = pending.pop()
-        if each.how not in {"handed", "given", "shared"}:
+        of_caller = each.how == "given" and not each.name.startswith(".")  # a parameter, which is news to the member
+        if of_caller or each.how not in {"handed", "given", "shared"}:
             return False
         further = all_ways(each.before) if each.how == "handed" else ()
         pending += [way for way in further if way not in seen]
