@@ -25,6 +25,7 @@ from ecm_extract.link.endpoints.endpoint_types import EndpointTypes, role_of
 from ecm_extract.link.endpoints.fallbacks import fallback
 from ecm_extract.link.endpoints.frames import frame_of
 from ecm_extract.link.endpoints.generated import GeneratedParameters
+from ecm_extract.link.endpoints.listeners import LISTENER
 from ecm_extract.link.endpoints.merging import merged
 from ecm_extract.link.endpoints.observe import Observation, observation_forms, observations
 from ecm_extract.link.endpoints.qos import QosReader
@@ -110,14 +111,14 @@ class Linker:
         self.qos = QosReader(self.folder)
         matcher = Matcher(forms, self.folder)
         self.registry = registry = build_registry(self.program, packages)
-        also, plugins = (*observation_forms(), *SUMMARIES), plugins_of(self.program, registry)
+        also, plugins = (*observation_forms(), *SUMMARIES, LISTENER), plugins_of(self.program, registry)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
         makers = SeenMakers(self.program, registry.classes)
         self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, makers))
         self.folder.prefixes = self.handles.prefix
         self.typing = EndpointTypes(self.folder, self.types)
         self.names = NodeNames(self.folder, self.sites)
-        self.generated = GeneratedParameters(self.program, packages)
+        self.generated = GeneratedParameters(self.sites, packages)
         self.parameter_sites: list[Site] = []
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)

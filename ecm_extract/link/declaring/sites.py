@@ -75,7 +75,7 @@ class Sites:
         self._remembered: set[Func] = set()
         self._names: dict[Site, tuple[Value, ...]] = {}
         self.openness = Openness(self.folder, types, program.derived)
-        aliases = program.aliases.meaning(program.classes, matcher.forms)
+        aliases = program.aliases.meaning(program.classes, {*matcher.forms, *also})
         self.making = Making(program, aliases)
         self.ways = WaysIn(self.folder, self.making, self._types)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *EMPLACING, *also}

@@ -9,10 +9,12 @@ from typing import Any, NamedTuple
 from ecm_checker.contract import Evidence, Interface
 from ecm_parsers.dynamic_reconfigure import ReconfigureFile
 from ecm_parsers.parameter_library import ParameterNamespace
+from msgspec.structs import replace
 
 from ecm_extract.link.code.units import File
 from ecm_extract.link.declaring.parameters import Parameters
-from ecm_extract.link.index.program import Program
+from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.endpoints.listeners import Listeners
 from ecm_extract.link.owning.mentioned_types import MentionedTypes
 from ecm_extract.link.owning.references import Unit
 from ecm_extract.link.running.values import Value, constant, literal
@@ -32,12 +34,13 @@ class Generated(NamedTuple):
 class GeneratedParameters:
     """Ties generated parameters to the classes that use them."""
 
-    def __init__(self, program: Program, packages: Sequence[PackageFacts]) -> None:
-        self.program = program
+    def __init__(self, sites: Sites, packages: Sequence[PackageFacts]) -> None:
+        self.program = sites.program
         self.packages = packages
-        self._mentioned = MentionedTypes(program)
+        self._mentioned = MentionedTypes(self.program)
+        self._makers = Listeners(sites)
         self._files: dict[str, list[File]] = defaultdict(list)
-        for file in program.files:
+        for file in self.program.files:
             self._files[file.package].append(file)
 
     def declare(self, parameters: Parameters) -> None:
@@ -57,12 +60,36 @@ class GeneratedParameters:
             files = self._files[package.name]
             for path, namespaces in package.parameters.items():
                 for namespace in namespaces:
-                    found = _library(path, namespace)
-                    for unit in self._listeners(namespace.name, files):
-                        yield Generated(unit, found)
+                    yield from self._of_library(package, path, namespace)
             for path, reconfigure in package.reconfigure.items():
                 for unit in self._servers(reconfigure, files):
                     yield Generated(unit, _reconfigured(path, reconfigure), _config_class(reconfigure))
+
+    def _of_library(self, package: PackageFacts, path: str, namespace: ParameterNamespace) -> Iterator[Generated]:
+        """Yield the units that listen to a namespace: who makes a listener declares, below the prefix that it gives.
+
+        Who only mentions it may have got it from somebody, and is told where nobody is seen who gives a prefix.
+        """
+        made = dict.fromkeys(self._makers.made(namespace.name, {package.name, *self._users(package, namespace)}))
+        placed = [(entry.unit, prefix) for entry in made for prefix in entry.prefixes]
+        found = _library(path, namespace)
+        if all(prefix.text == "" for _, prefix in placed):
+            own = self._listeners(namespace.name, self._files[package.name])
+            for unit in dict.fromkeys([*own, *(unit for unit, _ in placed)]):
+                yield Generated(unit, found)
+            return
+        for unit, prefix in placed:
+            yield Generated(unit, tuple(_below(prefix, entry) for entry in found))
+
+    def _users(self, package: PackageFacts, namespace: ParameterNamespace) -> Iterator[str]:
+        """Yield the packages that depend on one and have no parameters of their own in a namespace of it."""
+        for other in self.packages:
+            own = (entry.name for namespaces in other.parameters.values() for entry in namespaces)
+            depends = other.manifest is not None and any(
+                entry.name == package.name for entry in other.manifest.dependencies
+            )
+            if depends and other is not package and namespace.name not in own:
+                yield other.name
 
     def _listeners(self, namespace: str, files: Sequence[File]) -> list[Unit]:
         """Units that mention `<namespace>::ParamListener`; for Python the import of the generated module."""
@@ -101,6 +128,16 @@ def _value(default: Any) -> Value | None:
 
 def _library(path: str, namespace: ParameterNamespace) -> tuple[Interface, ...]:
     return tuple(_parameter(path, entry.name, entry.type, entry.default, entry.line) for entry in namespace.parameters)
+
+
+def _below(prefix: Value, entry: Interface) -> Interface:
+    """A parameter below what the constructor of its listener was given."""
+    text = prefix.text
+    if not text:
+        return entry
+    name = f"{text.removesuffix('.')}.{entry.name}"
+    confidence = "pattern" if "{" in name else "folded"
+    return replace(entry, name=name, raw_name=name, confidence=confidence)
 
 
 def _reconfigured(path: str, reconfigure: ReconfigureFile) -> tuple[Interface, ...]:
