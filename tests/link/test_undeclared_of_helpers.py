@@ -42,3 +42,49 @@ def test_what_a_member_of_a_node_reads_is_a_parameter_where_the_node_takes_any(
     files = {"src/settings.hpp": SETTINGS, "src/camera.hpp": CAMERA, "src/main.cpp": MAIN.format(says=says)}
     found = workspace.package(files).interfaces()
     assert {each.name for each in found if each.role == "parameter"} == names
+
+
+HELPERS = [
+    (
+        "free",
+        "template <typename T> T asked(rclcpp::Node::SharedPtr node, const std::string & name) {{ {body} }}",
+        "asked",
+    ),
+    (
+        "static",
+        "class Utils {{ public: template <typename T> static T asked(rclcpp::Node::SharedPtr node, const std::string & name) {{ {body} }} }};",
+        "Utils::asked",
+    ),
+]
+READS = "T value; if (!node->get_parameter(name, value)) throw std::runtime_error(name); return value;"
+CONFIG = """
+#include "utils.hpp"
+class Config {{ public:
+  using SharedPtr = std::shared_ptr<Config>;
+  explicit Config(rclcpp::Node::SharedPtr node) : node_(node) {{ parse(); }}
+  void parse() {{ level_ = {call}<int>(node_, "level"); }}
+  rclcpp::Node::SharedPtr node_; int level_;
+}};
+class Camera : public rclcpp::Node {{ public:
+  explicit Camera(const rclcpp::NodeOptions & options) : Node("camera", options) {{}}
+  void init() {{ config_ = std::make_shared<Config>(shared_from_this()); }}
+  Config::SharedPtr config_;
+}};
+"""
+
+
+@pytest.mark.parametrize(("says", "names"), [("true", {"level"}), ("false", set())])
+@pytest.mark.parametrize(("helper", "call"), [row[1:] for row in HELPERS], ids=[row[0] for row in HELPERS])
+def test_who_calls_a_function_without_an_object_says_what_its_node_takes(
+    workspace: Any, helper: str, call: str, says: str, names: set[str]
+) -> None:
+    """The function that reads has no node: it is given that of its callers."""
+    files = {
+        "src/utils.hpp": "#include <rclcpp/rclcpp.hpp>\n" + helper.format(body=READS),
+        "src/camera.hpp": CONFIG.format(call=call),
+        "src/main.cpp": MAIN.format(says=says),
+    }
+    found = workspace.package(files).interfaces()
+    assert {(each.name, each.type) for each in found if each.role == "parameter"} == {
+        (name, "integer") for name in names
+    }

@@ -86,6 +86,7 @@ class Sites:
         self.folder.states.callers.find = self._calling
         self.folder.lasting.find()
         matcher.undeclared.makers = self._making
+        matcher.undeclared.callers = self._askers
 
     def find(self, parameters: bool) -> list[Site]:
         """Return the sites of parameters, or of everything else."""
@@ -229,6 +230,9 @@ class Sites:
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others."""
         return self._calls_of.callers(func)
+
+    def _askers(self, func: Func) -> Iterator[Func]:
+        return (call.func for call in self.callers(func))
 
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""

@@ -19,18 +19,22 @@ _OPTIONS: Final = frozenset({"allow_undeclared_parameters", "automatically_decla
 """Options of `rclcpp::NodeOptions` and of the nodes of rclpy."""
 MAX_DEPTH: Final = 2
 """Objects within objects that are looked at: a helper is a member of its node, or of what that has."""
+MAX_CALLS: Final = 3
+"""Functions without an object that are looked through, each called by the next."""
 _TRUE: Final = Constant("true")
 
 
 class Undeclared:
     """Knows which nodes take what they do not declare.
 
-    `makers` gives the functions that make objects of a class; who indexes calls sets it.
+    `makers` gives the functions that make objects of a class, `callers` those that call one; who indexes calls sets
+    both.
     """
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.makers: Callable[[Cls], Iterable[Func]] | None = None
+        self.callers: Callable[[Func], Iterable[Func]] | None = None
         self._taking: dict[Func, bool] = {}
 
     def takes_any(self, func: Func) -> bool:
@@ -42,6 +46,25 @@ class Undeclared:
 
     def _saying(self, func: Func) -> Iterator[Func]:
         """Yield the functions in which options of the node can stand."""
+        for user in self._users(func):
+            yield from self._beside(user)
+
+    def _users(self, func: Func) -> Sequence[Func]:
+        """A function, and of one without an object those that call it, which give it the node."""
+        found = {func: None}
+        for _ in range(MAX_CALLS):
+            free = [each for each in found if self._is_free(each)]
+            found |= dict.fromkeys(caller for each in free for caller in self._callers(each))
+        return list(found)
+
+    def _callers(self, func: Func) -> Iterable[Func]:
+        return self.callers(func) if self.callers is not None else ()
+
+    def _is_free(self, func: Func) -> bool:
+        return "static" in func.fact.traits or self.folder.nesting.object_of(func) is None
+
+    def _beside(self, func: Func) -> Iterator[Func]:
+        """Yield the functions of the file and of the class of one, and those that make its objects."""
         yield from self.folder.program.functions_in(func.file)
         own = self.folder.nesting.object_of(func)
         for cls in self._around(own) if own is not None else ():
