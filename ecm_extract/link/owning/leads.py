@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from typing import NamedTuple
 
 from ecm_parsers.source.facts import Constant
@@ -17,9 +17,12 @@ from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.owning.mentioned import Mentions, mentions_of, mentions_of_class
+from ecm_extract.resolve.aliases import Declared
 from ecm_extract.shipped import shipped
 
 _SUBCLASSES = "__subclasses__"
+MAX_ALIASES = 4
+"""Aliases of aliases that are followed."""
 
 
 @cache
@@ -31,12 +34,15 @@ def _table() -> dict[str, frozenset[str]]:
 class Asked(NamedTuple):
     """A name that code mentions; `makes`: it may make an object of a class of that name.
 
-    `file` stands for all files of its package and language, which see the same.
+    `file` stands for all files of its package and language, which see the same; `around` is what a type asks it of, and
+    `placed` tells that this is no parameter of a template.
     """
 
     name: str
     file: File
     makes: bool
+    around: str = ""
+    placed: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,6 +116,8 @@ class Leads:
     def _parts(self, found: Mentions, file: File) -> Iterator[Asked]:
         yield from self._asked(file, found.used)
         yield from self._asked(file, found.held, makes=False)
+        for name, around, placed in found.within:
+            yield from (each._replace(around=around, placed=placed) for each in self._asked(file, [name]))
 
     def _outside(self, found: Mentions, file: File) -> Iterator[Asked]:
         """All names of what stands outside of functions."""
@@ -119,7 +127,7 @@ class Leads:
     # --- names -------------------------------------------------------------------------------------------
 
     def _named(self, asked: Asked) -> Lead:
-        name, file, makes = asked
+        name, file, makes, *_ = asked
         constants = [(other, mentions_of_constant(one)) for other, one in self.program.seen_constants(name, file)]
         mentioned = {each for other, found in constants for each in self._outside(found, other)}
         return Lead(
@@ -131,11 +139,46 @@ class Leads:
         )
 
     def _aliased(self, asked: Asked) -> Iterator[Asked]:
-        for entry in self.program.aliases.called(asked.name):
-            if self.program.sees(asked.file, entry.file):
-                found = Mentions()
-                found.add_type(entry.alias.target)
-                yield from self._parts(found, entry.file)
+        for entry in self._declared(asked):
+            found = Mentions()
+            found.add_type(entry.alias.target)
+            yield from self._parts(found, entry.file)
+
+    def _declared(self, asked: Asked) -> Sequence[Declared]:
+        """The aliases that a name can mean: of a class that a type asks for it its own, of a library's class none."""
+        seen = self._seen(asked.name, asked.file)
+        if not asked.around:
+            return seen
+        family = set(self._family(asked.around, asked.file))
+        own = [entry for entry in seen if last_name(entry.scope) in family]
+        return own if own or self._is_foreign_name(asked.around, asked.placed, asked.file) else seen
+
+    def _seen(self, name: str, file: File) -> Sequence[Declared]:
+        return [entry for entry in self.program.aliases.called(name) if self.program.sees(file, entry.file)]
+
+    def _family(self, name: str, file: File) -> Iterator[str]:
+        """What the classes of a name are called, those that it stands for, and their bases."""
+        meant = [last_name(plain(entry.alias.target)) for entry in self._seen(name, file)]
+        for each in (name, *meant):
+            yield each
+            for cls in self.program.classes.get(each, ()):
+                yield from (base.fact.name for base in self.program.ancestry(cls))
+
+    def _is_foreign_name(self, name: str, placed: bool, file: File, depth: int = MAX_ALIASES) -> bool:
+        """Tell whether a name can only be a class of a library: no class or namespace of the tree is called so."""
+        if not depth or name in self.program.classes or name in self._namespaces:
+            return False
+        targets = [plain(entry.alias.target) for entry in self._seen(name, file)]
+        if not targets:
+            return placed
+        return all(self._is_foreign_name(last_name(each), "::" in each, file, depth - 1) for each in targets)
+
+    @cached_property
+    def _namespaces(self) -> frozenset[str]:
+        program = self.program
+        scopes = {cls.fact.scope for group in program.classes.values() for cls in group}
+        scopes |= {entry.scope for name in program.aliases.last_names for entry in program.aliases.called(name)}
+        return frozenset(part for scope in scopes for part in scope.split("::"))
 
     # --- functions ---------------------------------------------------------------------------------------
 

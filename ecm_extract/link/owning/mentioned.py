@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Final
+from typing import Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Text
 from ecm_parsers.source.facts import Class, Statement
@@ -14,21 +14,34 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children
 
-_WORD: Final = re.compile(r"\w+")
+_PIECE: Final = re.compile(r"\w+|::|[<>]")
 _BY_NAME: Final = frozenset({"getattr", "methodcaller"})
 _BY_ANY_NAME: Final = frozenset({"globals", "import_module", "__import__"})
+
+
+class Within(NamedTuple):
+    """A name that a type asks of another: `Tools::SharedPtr`.
+
+    `placed`: the other one has a namespace or arguments, `rclcpp::Node::SharedPtr`: no parameter of a template has.
+    """
+
+    name: str
+    around: str
+    placed: bool
 
 
 @dataclass(slots=True)
 class Mentions:
     """Last names that are called, made or handed over: `plain` ones stand alone, `used` ones are asked of something.
 
-    `held`: something is asked of it. `any`: it calls what nobody knows before it runs; `any_method`: of some object.
+    `held`: something is asked of it. `within`: names that types ask of others.
+    `any`: it calls what nobody knows before it runs; `any_method`: of some object.
     """
 
     plain: set[str] = field(default_factory=set)
     used: set[str] = field(default_factory=set)
     held: set[str] = field(default_factory=set)
+    within: set[Within] = field(default_factory=set)
     any: bool = False
     any_method: bool = False
 
@@ -40,7 +53,11 @@ class Mentions:
 
     def add_type(self, written: str) -> None:
         """Take in a type: whoever declares an object of it can make one."""
-        self.used.update(_WORD.findall(written))
+        for name in _names(written):
+            if name.around:
+                self.within.add(name)
+            else:
+                self.used.add(name.name)
 
     def _parts(self, expr: Expr) -> Iterator[Expr]:
         if isinstance(expr, Name):
@@ -75,6 +92,22 @@ class Mentions:
             self.used.update(text.value for text in named)
             self.any_method = self.any_method or not named
         self.any = self.any or name in _BY_ANY_NAME
+
+
+def _names(written: str) -> Iterator[Within]:
+    """Yield the names in a type, each with the one that it is asked of; empty for none."""
+    last, asked, placed = "", "", False
+    opened: list[str] = []
+    for piece in _PIECE.findall(written):
+        if piece == "<":
+            opened.append(last)
+        elif piece == ">":
+            last, placed = opened.pop() if opened else "", True
+        elif piece == "::":
+            asked = last
+        else:
+            yield Within(piece, asked, placed)
+            last, asked, placed = piece, "", bool(asked)
 
 
 def mentions_of(func: Func) -> Mentions:
