@@ -7,8 +7,9 @@ or by nobody: a program that uses one method of a class does not have what other
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Final
 
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
@@ -16,6 +17,8 @@ from ecm_extract.link.owning.leads import Asked, Lead, Leads
 from ecm_extract.link.owning.modules import Module
 from ecm_extract.link.owning.references import makes_own_class
 from ecm_extract.link.owning.registered import Registered
+
+_VIRTUAL: Final = frozenset({"virtual", "pure", "override"})
 
 
 class Reach:
@@ -90,6 +93,14 @@ class Reach:
             self._make(cls, run)
         if func.cls is not None:
             self._touch(func, func.cls, run)
+            for each in self._overriding(func, func.cls):
+                run.offer(each)
+
+    def _overriding(self, func: Func, cls: Cls) -> Iterator[Func]:
+        """What a call of a method can run instead, in classes that the one who calls it need not know."""
+        if cls.file.language == "python" or _VIRTUAL.intersection(func.fact.traits):
+            methods = (method for each in self.program.derived(cls) for method in each.methods)
+            yield from (method for method in methods if method.fact.name == func.fact.name)
 
     def _touch(self, func: Func, cls: Cls, run: _Run) -> None:
         """A method of a class runs, which may need no object of it: what the class holds itself is there."""
