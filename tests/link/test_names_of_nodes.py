@@ -37,6 +37,8 @@ ROWS = [
         "",
         "/demo/state",
     ),
+    ("in a format", "", 'std::format("{}/state", get_name())', "", "/demo/state"),
+    ("in a format of a library", "", 'fmt::format("{}/{}", get_name(), "state")', "", "/demo/state"),
     ("of a parameter", "", 'given_.get_name() + "/state"', "rclcpp::Parameter given_;", "/{get_name}/state"),
     (
         "of a joint",

@@ -16,6 +16,8 @@ _MAPS: Final = shipped_names(_TABLE, "maps")
 _OF_FIRST: Final = _GROWING | shipped_names(_TABLE, "other_sequences")
 _OF_SECOND: Final = _MAPS | shipped_names(_TABLE, "multimaps")
 _TUPLES: Final = shipped_names(_TABLE, "tuples")
+KEEPING: Final = shipped_names(_TABLE, "keeping")
+"""Calls that give the list that they are given."""
 ELEMENT_METHODS: Final = frozenset({"at", "front", "back", "top"})
 
 

@@ -19,7 +19,7 @@ from ecm_parsers.source.expr import (
 from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.containers import begins_empty, is_container
+from ecm_extract.link.code.containers import KEEPING, begins_empty, is_container
 from ecm_extract.link.code.numbers import nothing_of
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
@@ -28,14 +28,7 @@ from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS,
 from ecm_extract.link.folding.sorted_containers import in_their_order
 from ecm_extract.link.folding.subscripts import character_of, copied_range, part_of, slice_of, steps_on, taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
-from ecm_extract.link.running.values import (
-    Value,
-    alternatives,
-    data_in,
-    demoted,
-    is_proved,
-    unknown,
-)
+from ecm_extract.link.running.values import Value, alternatives, data_in, demoted, is_proved, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -302,6 +295,8 @@ class ListFolder:
                 return work(self, call, env)
         elif call.receiver is None and is_container(call.path):
             return self._made(call, env)
+        elif call.receiver is None and len(call.args) == 1 and call.path in KEEPING:
+            return self.items(call.args[0], env)
         return self._returned(call, env)
 
     def _made(self, call: Invocation, env: Env) -> list[Bound] | None:

@@ -27,6 +27,9 @@ from ecm_extract.link.running.values import (
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
+_AS_TEXT: Final = frozenset({"", "%s", "!s"})
+"""Formats that give a text as it is: `{}`, `%s`, `{!s}`."""
+
 
 class OperatorFolder:
     """Folds what an operator makes of its operands."""
@@ -130,7 +133,7 @@ class OperatorFolder:
         text = spec.value if isinstance(spec, Text) else "?"
         python = env.func.file.language == "python"
         values = self.folder.fold(expr.operands[0], env)
-        if text in {"%s", "!s"} and all(value.data is None for value in values):
+        if text in _AS_TEXT and all(value.data is None for value in values):
             return values
         return self.folder.combined([values], lambda data: formatted(data[0], text, python), _name_of(values))
 
