@@ -88,3 +88,27 @@ def test_who_calls_a_function_without_an_object_says_what_its_node_takes(
     assert {(each.name, each.type) for each in found if each.role == "parameter"} == {
         (name, "integer") for name in names
     }
+
+
+CONTROLLER = """
+#include "controller_interface/controller_interface.hpp"
+class Held : public controller_interface::ControllerInterface {{
+public:
+  CallbackReturn on_configure(const rclcpp_lifecycle::State &) override {{ {body} }}
+  std::string level_;
+}};
+PLUGINLIB_EXPORT_CLASS(Held, controller_interface::ControllerInterface)
+"""
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        'get_node()->get_parameter("level", level_);',
+        'auto read = rclcpp::Parameter(); if (!get_node()->get_parameter("level", read)) return CallbackReturn::ERROR; level_ = read.as_string();',
+    ],
+)
+def test_controllers_take_what_they_do_not_declare(workspace: Any, body: str) -> None:
+    """Their base makes the node, with both options."""
+    entry = workspace.package({"src/held.cpp": CONTROLLER.format(body=body)}).only("parameter")
+    assert (entry.name, entry.type, entry.default) == ("level", "string", None)

@@ -11,6 +11,7 @@ from ecm_parsers.source.expr import Call, Constant
 
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.index.module_kinds import takes_undeclared
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -41,8 +42,14 @@ class Undeclared:
         """Tell whether the node of a function takes what it does not declare, as its class, file or maker says."""
         known = self._taking.get(func)
         if known is None:
-            known = self._taking[func] = any(_says_so(each) for each in dict.fromkeys(self._saying(func)))
+            known = self._taking[func] = self._is_told(func)
         return known
+
+    def _is_told(self, func: Func) -> bool:
+        own = self.folder.nesting.object_of(func)
+        if any(takes_undeclared(cls, self.folder.program) for cls in (self._around(own) if own is not None else ())):
+            return True
+        return any(_says_so(each) for each in dict.fromkeys(self._saying(func)))
 
     def _saying(self, func: Func) -> Iterator[Func]:
         """Yield the functions in which options of the node can stand."""

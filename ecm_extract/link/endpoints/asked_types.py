@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Set
 from functools import cache
+from typing import Final
 
 import msgspec
-from ecm_parsers.source.expr import Call, Expr, Member
+from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.shipped import shipped_as
+
+_READ: Final = "get_parameter"
 
 
 class _Template(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -45,6 +48,17 @@ def _kinds(call: Invocation) -> Iterator[str | None]:
             yield named[expr.name]
         if isinstance(expr, Call) and expr.types and _is_of(_receiver(expr, rows.template.names), call):
             yield declared_type(plain_type(expr.types[0]))
+    yield from _of_variable(call, named)
+
+
+def _of_variable(call: Invocation, named: Mapping[str, str]) -> Iterator[str]:
+    """What a function asks the variable for that it reads a parameter into: `node->get_parameter("rate", read)`."""
+    read = call.args[1] if call.last == _READ and len(call.args) > 1 else None
+    if isinstance(read, Name):
+        for statement in call.func.fact.body:
+            for expr, _ in expressions(statement):
+                if isinstance(expr, Member) and expr.name in named and expr.base == read:
+                    yield named[expr.name]
 
 
 def _receiver(call: Call, methods: Set[str]) -> Expr | None:

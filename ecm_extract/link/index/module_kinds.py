@@ -25,6 +25,12 @@ def class_kind(cls: Cls, program: Program) -> str | None:
     return None
 
 
+def takes_undeclared(cls: Cls, program: Program) -> bool:
+    """Tell whether the base of a class makes a node that takes parameters which it does not declare."""
+    kind = class_kind(cls, program)
+    return kind is not None and bool(shipped("link/index/module_bases.toml")[kind].get("undeclared"))
+
+
 _MANAGED = frozenset({"LifecycleNode", "ControllerInterface", "ChainableControllerInterface"}) | {
     "SystemInterface",
     "ActuatorInterface",
