@@ -150,6 +150,19 @@ int main(int c, char ** v) {{ Demo demo; }}"""
     assert workspace.package({"src/d.cpp": text}, ros=1).only("parameter").type == expected
 
 
+ALIASED = ["std::vector<Id>", "Ids", "core::Ids", "std::vector<core::Id>"]
+
+
+@pytest.mark.parametrize("written", ALIASED)
+def test_what_a_list_holds_may_have_another_name(workspace: Any, written: str) -> None:
+    """`std::vector<Id>` is a list of texts where `Id` is one."""
+    text = f"""
+namespace core {{ using Id = std::string; using Ids = std::vector<Id>; }}
+using namespace core;
+class Demo : public rclcpp::Node {{ Demo() : Node("demo") {{ declare_parameter<{written}>("p"); }} }};"""
+    assert workspace.package({"src/d.cpp": text}).only("parameter").type == "string_array"
+
+
 REQUESTS = [
     ("std_srvs::SetBool::Request", "std_srvs/srv/SetBool"),
     ("std_srvs::SetBoolRequest", "std_srvs/srv/SetBool"),

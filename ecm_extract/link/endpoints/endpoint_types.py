@@ -8,7 +8,7 @@ from ecm_checker.hub.roles import Role, roles
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.code.numbers import as_number
-from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.endpoints.asked_types import asked_type
@@ -136,10 +136,14 @@ class EndpointTypes:
 
     def _declared(self, written: str, env: Env) -> str | None:
         found = declared_type(plain_type(written))
-        alias = (
-            self.folder.program.alias(plain(written), env.func.file, env.scope) if found is None and written else None
-        )
-        return declared_type(plain_type(alias)) if alias else found
+        if found is not None or not written:
+            return found
+        alias = self._meant(plain(written), env) or written
+        held = [self._meant(each, env) or each for each in template_arguments(alias)]
+        return declared_type(plain_type(f"{plain(alias)}<{', '.join(held)}>" if held else alias))
+
+    def _meant(self, written: str, env: Env) -> str | None:
+        return self.folder.program.alias(written, env.func.file, env.scope)
 
     def _out_type(self, out: Expr | None, env: Env) -> str | None:
         written = self.folder.objects.type_of(out, env) if out is not None else ""
