@@ -16,6 +16,8 @@ from ecm_parsers.source.python_remade import is_remade
 from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler
 
 _THIS = Name("this")
+_PARTS_OF_CHOICE = 3
+"""What `a if condition else b` has."""
 
 
 def _decorated(scan: Scan, node: Node) -> None:
@@ -152,7 +154,18 @@ def _inside(scope: str, name: str) -> str:
 
 
 def _bases(scan: Scan, node: Node) -> tuple[str, ...]:
-    return tuple(scan.text(child) for child in parts(node) if child.type != "keyword_argument")
+    found = (each for child in parts(node) if child.type != "keyword_argument" for each in _alternatives(child))
+    return tuple(scan.text(each) for each in found)
+
+
+def _alternatives(node: Node) -> Iterator[Node]:
+    """What a base may be: of `Node if HAVE_ROS else object` both."""
+    found = parts(node) if node.type == "conditional_expression" else []
+    if len(found) != _PARTS_OF_CHOICE:
+        yield node
+        return
+    then, _, otherwise = found
+    yield from (*_alternatives(then), *_alternatives(otherwise))
 
 
 def _metaclass(scan: Scan, bases: Node | None) -> str:
