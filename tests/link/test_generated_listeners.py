@@ -92,3 +92,25 @@ def test_who_only_mentions_a_listener_of_another_package_was_given_it(workspace:
         {"package.xml": DEPENDS.format(depend="<depend>pkg</depend>"), "src/user.cpp": text}, name="user"
     )
     assert not [entry for entry in made.interfaces() if entry.role == "parameter"]
+
+
+CONTROLLER = """
+#include "demo_parameters.hpp"
+class Held : public {base} {{ public:
+  Held() : {base}({given}) {{}}
+  void begin() {{ listener_ = std::make_shared<demo::ParamListener>(get_node()); }}
+  std::shared_ptr<demo::ParamListener> listener_;
+}};
+PLUGINLIB_EXPORT_CLASS(Held, {base})
+"""
+
+
+@pytest.mark.parametrize(
+    ("base", "given", "default"),
+    [("controller_interface::ControllerInterface", "", None), ("rclcpp::Node", '"held"', 9)],
+)
+def test_what_a_base_has_declared_has_its_default(workspace: Any, base: str, given: str, default: int | None) -> None:
+    """A listener declares only what nobody did: controllers have the rate of their manager before."""
+    files = {**FILES, "src/demo.yaml": "demo:\n  update_rate:\n    type: int\n    default_value: 9\n"}
+    made = workspace.package({**files, "src/held.cpp": CONTROLLER.format(base=base, given=given)})
+    assert made.only("parameter").default == default

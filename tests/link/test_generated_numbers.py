@@ -34,3 +34,15 @@ def test_the_default_of_a_generated_parameter_is_a_depth(workspace: Any, qos: st
         "keep_last",
         7,
     )
+
+
+WRITTEN = [("double", "1000", 1000.0), ("double_array", "[1, 0x10]", [1.0, 16.0]), ("int", "7", 7)]
+
+
+@pytest.mark.parametrize(("kind", "written", "default"), WRITTEN, ids=[row[0] for row in WRITTEN])
+def test_a_default_is_a_number_of_its_type(workspace: Any, kind: str, written: str, default: object) -> None:
+    """YAML reads whole numbers where the parameter has fractions."""
+    settings = f"demo:\n  rate:\n    type: {kind}\n    default_value: {written}\n"
+    text = DEMO.replace("params_.topic, {qos}", '"out", 1').replace("{{", "{").replace("}}", "}")
+    entry = workspace.package({**FILES, "src/demo.yaml": settings, "src/demo.cpp": text}).only("parameter")
+    assert repr(entry.default) == repr(default)

@@ -49,7 +49,7 @@ class EndpointTypes:
         known = known or self._target_type(site)
         known = known or self._read_type(site) or self._described(site) or asked_type(site.call)
         known = known or self._partly_text(default, site.env) or self._of_environment(default, site.env)
-        return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else _as_declared(data, known)
+        return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else held_default(data, known)
 
     def _data(self, default: Expr | None, env: Env) -> Any:
         data = data_of(default, env, self.folder)
@@ -170,10 +170,10 @@ def _is_listed(own: str | None, data: Any) -> bool:
     return numbers or (isinstance(data, list) and own is not None and own.endswith("_array"))
 
 
-def _as_declared(data: Any, known: str | None) -> Any:
-    """A default as the type of its parameter holds it: `declare_parameter<double>("rate", 0)`, or `{0}`, is 0.0."""
+def held_default(data: Any, known: str | None) -> Any:
+    """Return a default as the type of its parameter holds it: `declare_parameter<double>("rate", 0)` is 0.0."""
     if known in _SINGLE and isinstance(data, list):
-        return _as_declared(data[0], known) if len(data) == 1 and not isinstance(data[0], list) else UNKNOWN
+        return held_default(data[0], known) if len(data) == 1 and not isinstance(data[0], list) else UNKNOWN
     if known in _ARRAYS and isinstance(data, list):
         return [as_number(each, _ARRAYS[known]) for each in data]
     if known == "bool_array" and isinstance(data, list):

@@ -11,10 +11,13 @@ from ecm_parsers.dynamic_reconfigure import ReconfigureFile
 from ecm_parsers.parameter_library import ParameterNamespace
 from msgspec.structs import replace
 
-from ecm_extract.link.code.units import File
+from ecm_extract.infer.compute import UNKNOWN
+from ecm_extract.link.code.units import Cls, File
 from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.endpoints.endpoint_types import held_default
 from ecm_extract.link.endpoints.listeners import Listeners
+from ecm_extract.link.index.module_kinds import declared_by_base
 from ecm_extract.link.owning.mentioned_types import MentionedTypes
 from ecm_extract.link.owning.references import Unit
 from ecm_extract.link.running.values import Value, constant, literal
@@ -50,7 +53,7 @@ class GeneratedParameters:
                 for namespace in namespaces:
                     for entry in namespace.parameters:
                         parameters.declare_name(entry.name, package.name)
-                        value = _value(entry.default)
+                        value = _value(held_default(entry.default, entry.type))
                         if value is not None:
                             parameters.declare(entry.name, package.name, value)
 
@@ -76,10 +79,15 @@ class GeneratedParameters:
         if all(prefix.text == "" for _, prefix in placed):
             own = self._listeners(namespace.name, self._files[package.name])
             for unit in dict.fromkeys([*own, *(unit for unit, _ in placed)]):
-                yield Generated(unit, found)
+                yield Generated(unit, self._declared(unit, found))
             return
         for unit, prefix in placed:
             yield Generated(unit, tuple(_below(prefix, entry) for entry in found))
+
+    def _declared(self, unit: Unit, found: Sequence[Interface]) -> tuple[Interface, ...]:
+        """The parameters as a unit has them: of those that its base has declared before the default is not told."""
+        before = declared_by_base(unit, self.program) if isinstance(unit, Cls) else ()
+        return tuple(replace(entry, default=None) if entry.name in before else entry for entry in found)
 
     def _users(self, package: PackageFacts, namespace: ParameterNamespace) -> Iterator[str]:
         """Yield the packages that depend on one and have no parameters of their own in a namespace of it."""
@@ -127,7 +135,10 @@ def _value(default: Any) -> Value | None:
 
 
 def _library(path: str, namespace: ParameterNamespace) -> tuple[Interface, ...]:
-    return tuple(_parameter(path, entry.name, entry.type, entry.default, entry.line) for entry in namespace.parameters)
+    return tuple(
+        _parameter(path, entry.name, entry.type, held_default(entry.default, entry.type), entry.line)
+        for entry in namespace.parameters
+    )
 
 
 def _below(prefix: Value, entry: Interface) -> Interface:
@@ -157,5 +168,5 @@ def _parameter(path: str, name: str, kind: str, default: Any, line: int) -> Inte
         frame=None,
         confidence="pattern" if "{" in name else "literal",
         evidence=(Evidence(path, line),),
-        default=default,
+        default=None if default is UNKNOWN else default,
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
+from typing import Any
 
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls
@@ -27,8 +28,17 @@ def class_kind(cls: Cls, program: Program) -> str | None:
 
 def takes_undeclared(cls: Cls, program: Program) -> bool:
     """Tell whether the base of a class makes a node that takes parameters which it does not declare."""
+    return bool(_row(cls, program).get("undeclared"))
+
+
+def declared_by_base(cls: Cls, program: Program) -> frozenset[str]:
+    """Return the parameters that the base of a class declares before it, whose defaults are not those of the class."""
+    return frozenset(_row(cls, program).get("declared", ()))
+
+
+def _row(cls: Cls, program: Program) -> Mapping[str, Any]:
     kind = class_kind(cls, program)
-    return kind is not None and bool(shipped("link/index/module_bases.toml")[kind].get("undeclared"))
+    return shipped("link/index/module_bases.toml")[kind] if kind is not None else {}
 
 
 _MANAGED = frozenset({"LifecycleNode", "ControllerInterface", "ChainableControllerInterface"}) | {
