@@ -16,6 +16,8 @@ const std::string LIST[] = {{ROOT, BELOW}};
 }}
 const std::string ROOT = "other";
 inline std::string operator"" _t(const char * text, size_t) {{ return std::string("t_") + text; }}
+struct Rate {{ double hz = 1; }};
+inline double half(double whole) {{ return whole / 2; }}
 inline void spoil(char * text) {{ text[0] = 'q'; }}
 class Demo : public rclcpp::Node {{
 public:
@@ -77,6 +79,19 @@ ROWS = [
     ("an iterator reads", 'std::vector<std::string> v{"a"}; auto it = v.begin(); ++it; pub(v[0]);', "a"),
     ("a pointer writes to a text", 's = "abc"; char * p = &s[0]; *p = \'z\'; pub(s);', OPEN),
     ("a pointer of a text writes to it", 's = "abc"; char * p = s.data(); p[0] = \'z\'; pub(s);', OPEN),
+    ("an element of fractions", 'std::vector<double> v{1}; pub("n" + std::to_string(v[0]));', "n1.000000"),
+    ("each of fractions", 'std::vector<double> v{2}; for (auto d : v) pub("n" + std::to_string(d));', "n2.000000"),
+    ("each as a fraction", 'for (double d : {2}) pub("n" + std::to_string(d));', "n2.000000"),
+    ("an element that is added", 'std::vector<float> v; v.push_back(3); pub("n" + std::to_string(v.back()));', "n3.000000"),
+    ("a value of a table", 'std::map<std::string, double> m{{"a", 1}}; pub(std::to_string(m["a"]));', "1.000000"),
+    ("a part of a table", 'std::map<std::string, double> m{{"a", 1}}; for (const auto & [k, v] : m) pub(k + std::to_string(v));', "a1.000000"),
+    ("a part of a pair", 'std::pair<double, int> p{1, 2}; pub("n" + std::to_string(p.first));', "n1.000000"),
+    ("a part of a tuple", 'std::tuple<int, double> p{1, 2}; pub("n" + std::to_string(std::get<1>(p)));', "n2.000000"),
+    ("a small number in a list", 'std::vector<uint8_t> v{255}; v[0]++; pub("n" + std::to_string(v[0]));', "n0"),
+    ("a field", 'Rate q; q.hz = 5; pub("n" + std::to_string(q.hz));', "n5.000000"),
+    ("a type by another name", 'using Real = double; Real r = 3; pub("n" + std::to_string(r));', "n3.000000"),
+    ("what a function gives and gets", 'pub(std::to_string(half(3)));', "1.500000"),
+    ("two variables of a name", 'int i = 1; for (double i : {2}) { use(std::to_string(i)); } pub("n" + std::to_string(i));', "n1"),
 ]  # fmt: skip
 
 

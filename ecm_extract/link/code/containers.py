@@ -51,3 +51,8 @@ def begins_empty(written: str) -> bool:
 def makes_tuple(call: Call) -> bool:
     """Tell whether a call makes a pair or a tuple of what it is given."""
     return isinstance(call.callee, Name) and call.callee.id in _TUPLES
+
+
+def is_tuple(written: str) -> bool:
+    """Tell whether a type, as it is written, is a pair or a tuple."""
+    return f"std::{last_name(plain(written))}" in _TUPLES

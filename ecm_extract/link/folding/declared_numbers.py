@@ -25,7 +25,12 @@ _WORDS: Final = frozenset({"unsigned", "signed", "const", "constexpr", "static",
 def as_declared(values: tuple[Value, ...], statement: Statement | None, func: Func) -> tuple[Value, ...]:
     """Return values as the type of the variable that a statement gives them to holds them: `double x = 1` is 1.0."""
     name = type_of_number(_type_given(statement, func)) if statement is not None else ""
-    return tuple([_cast(value, name) for value in values]) if name else values
+    return in_type(values, name) if name else values
+
+
+def in_type(values: tuple[Value, ...], name: str) -> tuple[Value, ...]:
+    """Return values as a type of numbers holds them, by its short form."""
+    return tuple([_cast(value, name) for value in values])
 
 
 def _type_given(statement: Statement, func: Func) -> str:
@@ -33,7 +38,7 @@ def _type_given(statement: Statement, func: Func) -> str:
     if func.file.language != "cpp":
         return ""
     name = getattr(statement.target, "id", "")
-    return statement.type if statement.kind == "let" else func.written_types.get(name, "")
+    return statement.type if statement.kind in {"let", "each"} else func.written_types.get(name, "")
 
 
 def type_of_number(written: str) -> str:

@@ -45,6 +45,7 @@ from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.index.nesting import Nesting
+from ecm_extract.link.folding.typed_numbers import TypedNumbers
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
@@ -116,6 +117,7 @@ class Folder:
         self.optionals = OptionalFolder(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)
+        self.numbers = TypedNumbers(self)
         self.streams = StreamFolder(self)
         self.held = HeldFolder(self)
         self.messages = MessageFolder(self)
@@ -154,7 +156,7 @@ class Folder:
             self.cuts += 1
             return (unknown("value"),)
         with self.steps:
-            values = self._by_kind(expr, env)
+            values = self.numbers.held(self._by_kind(expr, env), expr, env)
         if any(TOO_MANY.parts[0] in value.parts for value in values):
             self.steps.leave_out(env)
         return values
