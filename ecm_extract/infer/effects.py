@@ -126,8 +126,12 @@ class Effects:
         return key_of(self.reached(expr), self.own, self.is_member)
 
     def reached(self, expr: Expr | None) -> Expr | None:
-        """Return a field as one of the part that it is reached through: `box.topic.name` for `box.inner().name`."""
-        if self.python or not isinstance(expr, Member) or not isinstance(expr.base, Call | Member):
+        """Return what is reached by it: `box.topic` for `box.inner()`, `box.topic.name` for `box.inner().name`."""
+        if self.python or not isinstance(expr, Call | Member):
+            return expr
+        if isinstance(expr, Call):
+            return self.targets.shown_part(expr, self.func) or expr
+        if not isinstance(expr.base, Call | Member):
             return expr
         part = self.targets.shown_part(expr.base, self.func) if isinstance(expr.base, Call) else self.reached(expr.base)
         return expr if part is None or part is expr.base else Member(part, expr.name)
@@ -239,7 +243,7 @@ class Effects:
             return arg != Name("this")
         if isinstance(arg, Op) and arg.op in {"&", "[]"}:
             return bool(self.root(arg.operands[0]))
-        return self._iterates(arg)
+        return self._iterates(arg) or (isinstance(arg, Call) and bool(self.key(arg)))
 
     def _iterates(self, arg: Expr) -> bool:
         return isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in self.calls.iterators

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.code.containers import element_type, is_map, is_tuple
+from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type, is_map, is_tuple
 from ecm_extract.link.code.spelling import plain, pointee, template_arguments
 from ecm_extract.link.folding.declared_numbers import in_type, type_of_number
-from ecm_extract.link.running.env import MAX_DEPTH, Env
+from ecm_extract.link.running.env import MAX_DEPTH, Env, invocation_of
 from ecm_extract.link.running.values import Value
 
 if TYPE_CHECKING:
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 _PAIR: Final = ("first", "second")
 _GET: Final = "std::get"
+_PLACES: Final = frozenset({("[]", 2), ("*", 1)})
+"""Operators, with the number of their operands, that give a place: an element, what a pointer points to."""
 
 
 class TypedNumbers:
@@ -31,8 +33,9 @@ class TypedNumbers:
 
     def held(self, values: tuple[Value, ...], expr: Expr, env: Env) -> tuple[Value, ...]:
         """Return the values of an expression as its type holds them, where they are numbers and it is a place."""
-        numbers = any(isinstance(value.data, int | float) for value in values)
-        if not numbers or not _is_typed(expr) or env.func.file.language != "cpp":
+        if env.func.file.language != "cpp" or not _is_typed(expr):
+            return values
+        if not any(isinstance(value.data, int | float) for value in values):
             return values
         name = self._number(self._type(expr, env), env)
         return in_type(values, name) if name else values
@@ -56,12 +59,19 @@ class TypedNumbers:
             return self._part(self._type(expr.base, place), _PAIR.index(expr.name)) or self._known(expr, env)
         if isinstance(expr, Op) and expr.op == "[]":
             return element_type(self._type(expr.operands[0], place))
-        if isinstance(expr, Op) and expr.op == "*":
+        if isinstance(expr, Op):
             return pointee(self._type(expr.operands[0], place))
-        if isinstance(expr, Call) and expr.callee == Name(_GET) and len(expr.args) == len(expr.types) == 1:
-            at = expr.types[0]
-            return self._part(self._type(expr.args[0], place), int(at)) if at.isdecimal() else ""
-        return self._known(expr, env)
+        return self._returned(expr, place) if isinstance(expr, Call) else self._known(expr, env)
+
+    def _returned(self, call: Call, env: Env) -> str:
+        """The type of an element that a method gives, of a part of a tuple, or of what a function of the tree gives."""
+        if isinstance(call.callee, Member) and call.callee.name in ELEMENT_METHODS:
+            return element_type(self._type(call.callee.base, env))
+        if call.callee == Name(_GET):
+            at = call.types[0] if len(call.args) == len(call.types) == 1 else ""
+            return self._part(self._type(call.args[0], env), int(at)) if at.isdecimal() else ""
+        callee = self.folder.objects.callee(invocation_of(call, env), env)
+        return callee.fact.returns if callee is not None else ""
 
     def _known(self, expr: Expr, env: Env) -> str:
         return self.folder.objects.type_of(expr, env)
@@ -87,7 +97,7 @@ class TypedNumbers:
 
 def _is_typed(expr: Expr) -> bool:
     """Whether an expression is of a type that something declares."""
-    return isinstance(expr, Name | Member | Call) or (isinstance(expr, Op) and expr.op in {"[]", "*"})
+    return isinstance(expr, Name | Member | Call) or (isinstance(expr, Op) and (expr.op, len(expr.operands)) in _PLACES)
 
 
 def _declaration(expr: Name, env: Env) -> Statement | None:

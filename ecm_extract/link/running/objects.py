@@ -120,7 +120,7 @@ class Objects:
                 return "ros::NodeHandle"
             if self._is_type(last, env.func.file):
                 return expr.callee.id
-            return self._static_type(expr.callee.id, env) or self._returned(last, env.func.file)
+            return self._static_type(expr.callee.id, env) or self._returned(expr.callee.id, env.func.file)
         dotted = dotted_name(expr.callee)
         if dotted and env.func.file.language == "python":
             return dotted
@@ -152,7 +152,8 @@ class Objects:
         return bool(known) or (name[:1].isupper() and not self.program.seen_functions(name, file))
 
     def _returned(self, name: str, file: File) -> str:
-        types = {func.fact.returns for func in self.program.seen_functions(name, file) if func.fact.returns}
+        own = () if name.startswith("std::") else self.program.seen_functions(last_name(name), file)
+        types = {func.fact.returns for func in own if func.fact.returns}
         return next(iter(types)) if len(types) == 1 else ""
 
     # --- instances -------------------------------------------------------------------------------------

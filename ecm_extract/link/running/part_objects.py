@@ -53,16 +53,13 @@ class PartObjects:
         if callee is None or cls is None or "reference" not in callee.fact.traits or len(callee.fact.body) != 1:
             return None
         derived = (method for entry in self.folder.program.derived(cls) for method in entry.methods)
+        if any(method.fact.name == callee.fact.name for method in derived):
+            return None
         given = callee.fact.body[0].value
-        own = (
-            given.name
-            if isinstance(given, Member) and given.base == THIS
-            else given.id
-            if isinstance(given, Name)
-            else ""
-        )
-        alone = own in cls.fields and not any(method.fact.name == callee.fact.name for method in derived)
-        return Member(call.callee.base, own) if alone else None
+        if given == THIS:
+            return call.callee.base
+        own = _own_member(given)
+        return Member(call.callee.base, own) if own in cls.fields else None
 
     def _member(self, expr: Expr | None, env: Env) -> str:
         """The member of the object at hand that an expression is, in a lambda that of the method around it."""
@@ -161,3 +158,10 @@ def _beginnings(name: str, func: Func) -> Iterator[int]:
     for at, statement in enumerate(func.fact.body):
         if statement.kind == "init" and statement.target == Name(name):
             yield at
+
+
+def _own_member(expr: Expr | None) -> str:
+    """The member of the object at hand that an expression in one of its methods may be; empty for others."""
+    if isinstance(expr, Member):
+        return expr.name if expr.base == THIS else ""
+    return expr.id if isinstance(expr, Name) else ""
