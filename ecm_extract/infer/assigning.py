@@ -12,10 +12,10 @@ from ecm_extract.infer.effects import bare_names, is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.places import target_of, wholes
+from ecm_extract.infer.pointing import is_address, makes_pointer
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.unpacking import taken, unstarred
 from ecm_extract.link.code.containers import makes_tuple
-from ecm_extract.link.code.pointed import makes_pointed
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import children
 
@@ -114,7 +114,7 @@ class Assigning:
         key, other = self.frame.effects.key(let.target), self.frame.effects.key(let.value)
         if self.frame.python or let.kind != "let" or not key or not other:
             return
-        made = all(map(_makes_pointed, state.holds.get(other) or (Held("lost", other),)))
+        made = all(map(makes_pointer, state.holds.get(other) or (Held("lost", other),)))
         once = all(self.frame.outline.changes.get(each, 0) <= 1 for each in (key, other))
         if made and once:
             self.memory.sharing.refer(key, other, other)
@@ -186,7 +186,7 @@ class Assigning:
 
     def _pointed(self, statement: Statement) -> Set[str]:
         value, effects = statement.value, self.frame.effects
-        if _is_address(value) and isinstance(value, Op):
+        if is_address(value) and isinstance(value, Op):
             given = value.operands[0]
             key = effects.key(given)
             within = effects.root(given) if isinstance(given, Op) and given.op == "[]" else ""
@@ -215,7 +215,7 @@ class Assigning:
     def _iterated(self, value: Expr | None) -> Iterator[str]:
         """Yield the variables into which parts of a value point: `&x[0]`, `x.begin() + 1`, `find(x.begin(), y)`."""
         effects = self.frame.effects
-        if _is_address(value) and isinstance(value, Op):
+        if is_address(value) and isinstance(value, Op):
             yield effects.root(value.operands[0])
         elif isinstance(value, Op) and value.op in {"+", "-"}:
             for operand in value.operands:
@@ -241,10 +241,6 @@ def _arguments(value: Expr | None) -> tuple[Expr, ...]:
     return value.args if isinstance(value, Call) else ()
 
 
-def _is_address(value: Expr | None) -> bool:
-    return isinstance(value, Op) and value.op == "&" and len(value.operands) == 1
-
-
 def _parts(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr, Held]]:
     """Yield each variable of several with what it gets."""
     if held.how == "value" and value is not None:
@@ -265,12 +261,6 @@ def _braces(value: Expr | None) -> list[Items]:
     """The lists in braces that an object is made from: its own, or those of its construction."""
     given = value.args if isinstance(value, Call) else (value,)
     return [entry for entry in given if isinstance(entry, Items)]
-
-
-def _makes_pointed(held: Held) -> bool:
-    """Tell whether a variable holds a pointer to an object that was made for it."""
-    callee = held.expr.callee if held.how == "value" and isinstance(held.expr, Call) else None
-    return isinstance(callee, Name) and makes_pointed(last_name(callee.id))
 
 
 def _is_empty(held: Held) -> bool:

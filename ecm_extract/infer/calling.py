@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Text
+from ecm_parsers.source.expr import Call, Expr, Member, Text
 from ecm_parsers.source.flow import Block, statements
 
 from ecm_extract.infer.effects import Effect, is_plain, perhaps_called
+from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
 from ecm_extract.infer.run import Frame
@@ -21,9 +22,10 @@ if TYPE_CHECKING:
 class Calling:
     """Applies the effects of calls."""
 
-    def __init__(self, frame: Frame, memory: Memory) -> None:
+    def __init__(self, frame: Frame, memory: Memory, giving: Giving) -> None:
         self.frame = frame
         self.memory = memory
+        self.giving = giving
 
     def after(self, at: int, state: State, env: Env) -> State:
         """Return the state after the calls of a statement."""
@@ -32,8 +34,10 @@ class Calling:
             return state
         for effect in self.frame.effects.of(at):
             state = self._apply(effect, at, env, state)
+            state = self.giving.written(_receiver(effect.call), state)
         waits = at in self.frame.outline.waiting
         own = self.frame.judge.own_calls(env)
+        state = self.giving.used(state) if waits or own else state
         state = self._methods(at, [] if waits else own, env, state)
         state = self._inner(at, calls, env, state)
         if waits:
@@ -156,3 +160,8 @@ class Calling:
             return False
         written = self.frame.body[held.at].type if 0 <= held.at < len(self.frame.body) else ""
         return self.frame.python or (isinstance(held.expr, Text) and (written == "auto" or "*" in written))
+
+
+def _receiver(call: Call) -> Expr | None:
+    """What a method is called on; None of a function."""
+    return call.callee.base if isinstance(call.callee, Member) else None

@@ -130,7 +130,8 @@ class Effects:
         if self.python or not isinstance(expr, Call | Member):
             return expr
         if isinstance(expr, Call):
-            return self.targets.shown_part(expr, self.func) or expr
+            shown = self.targets.shown_part(expr, self.func)
+            return self.reached(shown) if shown is not None else expr
         if not isinstance(expr.base, Call | Member):
             return expr
         part = self.targets.shown_part(expr.base, self.func) if isinstance(expr.base, Call) else self.reached(expr.base)

@@ -18,6 +18,7 @@ from ecm_extract.infer.branching import Branching
 from ecm_extract.infer.calling import Calling
 from ecm_extract.infer.comprehending import Comprehending
 from ecm_extract.infer.exits import Exits
+from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.judge import Judge
 from ecm_extract.infer.looping import Looping
@@ -42,7 +43,8 @@ class Interpreter:
         self.exits = Exits(self.frame)
         self.memory = Memory(self.frame)
         self.assigning = Assigning(self.frame, self.memory)
-        self.calling = Calling(self.frame, self.memory)
+        self.giving = Giving(self.frame, self.memory)
+        self.calling = Calling(self.frame, self.memory, self.giving)
         self.comprehending = Comprehending(self.frame, self.assigning)
         self.raising = RaisingStatements(self.frame, self.exits, self.memory)
         self.branching = Branching(self.frame, self.exits, self)
@@ -180,8 +182,10 @@ class Interpreter:
         return state
 
     def _given(self, statement: Statement, at: int, env: Env, state: State) -> State:
-        """The state after a statement has given its target a value."""
+        """The state after a statement has given its target a value, and others ways to variables."""
+        self.giving.note(statement, at, env, state)
         if statement.kind == "do":
             return state
         state = self.memory.lost(state, self.assigning.escape(statement))
-        return self.assigning.assign(statement, at, env, self.assigning.shared_change(statement, state))
+        state = self.assigning.assign(statement, at, env, self.assigning.shared_change(statement, state))
+        return self.giving.written(statement.target, state) if statement.kind == "set" else state

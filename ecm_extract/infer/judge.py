@@ -75,6 +75,9 @@ class Judge(Targets, Protocol):
     def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
         """Return the members that a call of a method may change, each with its key there; None if that is unknown."""
 
+    def kept_arguments(self, call: Call, env: Env) -> Sequence[int]:
+        """Return which arguments of a call of C++ some object keeps a reference or pointer to, and may change by it."""
+
     def is_fixed(self, key: str, env: Env) -> bool:
         """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""
 

@@ -30,8 +30,14 @@ class Sharing:
         if key and root:
             self._roots[key] = root
             self._same.pop(key, None)
-        if key and whole and not self.outline.python and self.outline.is_one(key) and self.outline.is_one(whole):
+        if key and whole and not self.outline.python and self.outline.is_one(key) and self._is_one_place(whole):
             self._same[key] = whole
+
+    def _is_one_place(self, key: str) -> bool:
+        """Whether a variable, or a field of one, means the same throughout: nothing on the way to it is bound anew."""
+        first, *fields = key.split(".")
+        way = (".".join((first, *fields[:count])) for count in range(len(fields)))
+        return self.outline.is_one(first) and all(self.outline.changes.get(each, 0) <= 1 for each in way)
 
     def names_of(self, key: str) -> set[str]:
         """Return all names of the variable of C++ that a name means."""

@@ -51,6 +51,7 @@ from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
+from ecm_extract.link.running.kept_references import KeptReferences
 from ecm_extract.link.running.lasting import LastingVariables
 from ecm_extract.link.running.lasting_states import LastingStates
 from ecm_extract.link.running.lent import Lent
@@ -145,6 +146,7 @@ class Folder:
         self.lasting = LastingVariables(self)
         self.lasting_states = LastingStates(self)
         self.lent = Lent(self)
+        self.kept_references = KeptReferences(self)
         self.methods = MethodEffects(self)
         self.scope.ways = self.flow.ways
 

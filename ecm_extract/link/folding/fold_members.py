@@ -73,7 +73,8 @@ class MemberFolder:
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
         known = found or part or self._field(expr, env) or self._option(expr, env)
-        if known and self._is_of_changed_variable(expr, env):
+        told = any(value.confidence != "pattern" for value in known)
+        if told and (self._is_of_changed_variable(expr, env) or self._is_of_lost(expr.base, env)):
             return alternatives((*known, unknown(expr.name)))
         return known or self._of_given(expr, env) or self._of_message(expr, env) or (unknown(expr.name),)
 
@@ -86,6 +87,16 @@ class MemberFolder:
             return False
         file_scope = self.folder.objects.file_scope
         return bool(file_scope.type_of(root.id, env)) and file_scope.is_changed(root.id, env)
+
+    def _is_of_lost(self, expr: Expr | None, env: Env) -> bool:
+        """Tell whether an object of C++ is, or is in, a variable that somebody may have changed who is not followed."""
+        while expr is not None and env.func.file.language == "cpp":
+            if isinstance(expr, Name | Member) and expr != Name("this"):
+                helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
+                if any(held.how == "lost" for held in all_ways(helds)):
+                    return True
+            expr = whole_of(expr)
+        return False
 
     def _of_message(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`code.ARM`: a constant of the message that an object is."""

@@ -324,6 +324,10 @@ class Flow:
         """Return the members that a call of a method may change; None where that is not known."""
         return self.folder.methods.changed(call, env)
 
+    def kept_arguments(self, call: Call, env: Env) -> Sequence[int]:
+        """Return which arguments of a call of C++ some object keeps a reference or pointer to, and may change by it."""
+        return self.folder.kept_references.of(call, env)
+
     def is_fixed(self, key: str, env: Env) -> bool:
         """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""
         return self.folder.shifting.is_fixed(key, env)

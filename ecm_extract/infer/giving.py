@@ -1,0 +1,135 @@
+"""Variables of C++ that others have a way to: a reference, or a pointer, which an object or a container keeps.
+
+`std::vector<Topic *> all{&one};` or `Writer writer(one);`: from here on whoever is called, and what is written through
+what is no variable itself, may change `one`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Final
+
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.infer.held import State, all_ways
+from ecm_extract.infer.memory import Memory
+from ecm_extract.infer.pointing import is_address, makes_pointer
+from ecm_extract.infer.run import Frame
+from ecm_extract.link.code.containers import is_container, makes_tuple
+from ecm_extract.link.code.spelling import by_value, last_name, pointee
+
+if TYPE_CHECKING:
+    from ecm_extract.link.running.env import Env
+
+_REFERRING: Final = frozenset({"std::ref", "boost::ref"})
+_RAW: Final = "get"
+"""Method of smart pointers that gives the pointer itself."""
+
+
+class Giving:
+    """Notes such variables, and what becomes of them."""
+
+    def __init__(self, frame: Frame, memory: Memory) -> None:
+        self.frame = frame
+        self.memory = memory
+        self.given: set[str] = set()
+        self.pointers: set[str] = set()
+
+    def note(self, statement: Statement, at: int, env: Env, state: State) -> None:
+        """Note the variables to which a statement gives others a way."""
+        if self.frame.python:
+            return
+        for arg in self._kept(statement, at, env):
+            self._note(arg, state)
+
+    def _note(self, arg: Expr, state: State) -> None:
+        effects = self.frame.effects
+        meant = arg.operands[0] if is_address(arg) and isinstance(arg, Op) else arg
+        root = effects.root(meant)
+        if root.partition(".")[0] not in effects.own:
+            return
+        if meant is arg and self._is_pointer(root, state):
+            self.pointers |= self.memory.sharing.names_of(root)
+        elif "." not in root:
+            self.given |= self.memory.sharing.names_of(root)
+
+    def _is_pointer(self, key: str, state: State) -> bool:
+        written = self.frame.env.func.written_types.get(key, "")
+        if written.endswith("*") or pointee(written) != written.removeprefix("const ").rstrip("& "):
+            return True
+        return any(map(makes_pointer, all_ways(state.holds.get(key, ()))))
+
+    # --- who keeps a way -------------------------------------------------------------------------------------
+
+    def _kept(self, statement: Statement, at: int, env: Env) -> Iterator[Expr]:
+        """Yield the variables, or their addresses, that calls of a statement keep, and pointers that it copies."""
+        value = statement.value
+        if statement.kind in {"set", "init"} and isinstance(value, Name | Member):
+            yield from (value,) if self._is_pointer(self.frame.effects.key(value), env.state or State()) else ()
+        for call in self.frame.env.func.calls[at]:
+            yield from self._kept_by(call, env)
+        if isinstance(value, Items):
+            yield from self._ways(value)
+        elif statement.kind == "each" and isinstance(value, Call):
+            yield from (way for arg in value.args for way in self._ways(arg))
+
+    def _kept_by(self, call: Call, env: Env) -> Iterator[Expr]:
+        callee = call.callee
+        if isinstance(callee, Member):
+            if callee.name == _RAW and not call.args:
+                yield callee.base
+            if callee.name in self.frame.effects.calls.changing:
+                yield from (way for arg in call.args for way in self._ways(arg))
+                return
+        path = callee.id if isinstance(callee, Name) else ""
+        if path in _REFERRING:
+            yield from call.args
+        elif path and (makes_tuple(call) or is_container(path)):
+            yield from (way for arg in call.args for way in self._ways(arg))
+        elif self._gives_variables(call):
+            yield from (call.args[index] for index in self.frame.judge.kept_arguments(call, env))
+
+    def _gives_variables(self, call: Call) -> bool:
+        """Whether any argument is a variable of the function, or the address of one."""
+        args = (arg.operands[0] if is_address(arg) and isinstance(arg, Op) else arg for arg in call.args)
+        return any(isinstance(arg, Name) and arg.id in self.frame.effects.own for arg in args)
+
+    def _ways(self, expr: Expr) -> Iterator[Expr]:
+        """Yield the addresses and the variables, which may be pointers, that an expression puts somewhere."""
+        if isinstance(expr, Items):
+            for item in expr.items:
+                yield from self._ways(item)
+        elif is_address(expr) or isinstance(expr, Name):
+            yield expr
+
+    # --- what becomes of them --------------------------------------------------------------------------------
+
+    def used(self, state: State) -> State:
+        """Return the state after somebody may have used any such way."""
+        if not self.given and not self.pointers:
+            return state
+        return self.memory.lost(self._without_parts(self.pointers, "", state), self.given)
+
+    def written(self, target: Expr | None, state: State) -> State:
+        """Return the state after something was written to a place that may be one of them."""
+        if not (self.given or self.pointers) or self._is_itself(target):
+            return state
+        suffix = f".{target.name}" if isinstance(target, Member) else ""
+        own = self.memory.sharing.names_of(self.frame.effects.key(target).rpartition(".")[0])
+        if not suffix:
+            return self.used(state)
+        state = self._without_parts(self.pointers - own, suffix, state)
+        fields = {name + suffix for name in self.given - own}
+        return self.memory.lost(state, fields)
+
+    def _is_itself(self, target: Expr | None) -> bool:
+        """Whether what is written to is a variable that is an object itself, or a field of one."""
+        base = target.base if isinstance(target, Member) else target
+        written = self.frame.env.func.written_types.get(base.id, "") if isinstance(base, Name) else ""
+        return by_value(written) and pointee(last_name(written)) == last_name(written)
+
+    def _without_parts(self, pointers: set[str], suffix: str, state: State) -> State:
+        """The state in which nobody knows the fields of what pointers point to, those that a suffix ends if any."""
+        parts = [key for key in state.holds if key.partition(".")[0] in pointers and "." in key]
+        return self.memory.lost(state, [key for key in parts if key.endswith(suffix)])

@@ -1,0 +1,121 @@
+"""Arguments of C++ to which the object that gets them keeps a way, and by which its methods change them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.link.code.handing_on import THIS
+from ecm_extract.link.code.pointed import pointed
+from ecm_extract.link.code.spelling import pointee
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.running.env import Env
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+class KeptReferences:
+    """Finds them; each field of a class is asked about once."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._writing: dict[tuple[Cls, str], bool] = {}
+
+    def of(self, call: Call, env: Env) -> Sequence[int]:
+        """Return which arguments of a call are kept so."""
+        made = pointed(call) or (call.callee.id if isinstance(call.callee, Name) else "")
+        cls = self.folder.objects.class_written(made, env) if made else None
+        if cls is None:
+            method = self.folder.flow.target(call, env.func, env.at) if isinstance(call.callee, Member) else None
+            return self._by_function(method) if method is not None and method.cls is not None else ()
+        maker = self.folder.objects.constructor(cls, len(call.args))
+        if maker is not None:
+            return self._by_function(maker)[: len(call.args)]
+        fields = list(zip(cls.fact.fields, range(len(call.args)), strict=False))
+        return [at for field, at in fields if _leads_out(field.type) and self.is_written_through(field.name, cls)]
+
+    def _by_function(self, func: Func) -> Sequence[int]:
+        leading = [(at, entry.name) for at, entry in enumerate(func.fact.params) if _leads_out(entry.type)]
+        return [at for at, name in leading if any(self._keeps(name, func))]
+
+    def _keeps(self, name: str, func: Func) -> Iterator[bool]:
+        """Yield for each member that keeps a parameter whether that is changed through it."""
+        for statement in func.fact.body:
+            if statement.kind in {"init", "set"} and _is_given(name, statement.value) and func.cls is not None:
+                member = _member(statement.target)
+                if member in func.cls.fields and _leads_out(func.cls.fields[member].type):
+                    yield self.is_written_through(member, func.cls)
+
+    def is_written_through(self, name: str, cls: Cls) -> bool:
+        """Tell whether a method changes what a member refers to or points to, or gives others a way to."""
+        known = self._writing.get((cls, name))
+        if known is None:
+            self._writing[cls, name] = True  # who asks in a circle
+            program = self.folder.program
+            lineage = (*program.ancestry(cls), *program.derived(cls))
+            methods = [method for entry in lineage for method in entry.methods]
+            funcs = (func for method in methods for func in (method, *self.folder.nesting.inner(method)))
+            known = self._writing[cls, name] = any(self._writes(name, func, cls) for func in funcs)
+        return known
+
+    def _writes(self, name: str, func: Func, cls: Cls) -> bool:
+        if name not in self.folder.shifting.names(func):
+            return False
+        outline = self.folder.flow.outline(func)
+        keys = (f".{name}", name)
+        begun = sum(1 for entry in func.fact.body if entry.kind == "init" and entry.target == Name(name))
+        changed = any(outline.changes.get(key, 0) > begun for key in keys)
+        within = any(each.startswith((f".{name}.", f"{name}.")) for each in outline.changes)
+        refers = any(_leads_out(entry.type) or entry.kind == "return" for entry in self._naming(func, keys))
+        return changed or within or refers or any(self._may_change(call, name, cls, func) for call in _on(func, name))
+
+    def _naming(self, func: Func, keys: tuple[str, ...]) -> Iterator[Statement]:
+        """The statements that declare another name of a member, or return it as a reference."""
+        effects = self.folder.flow.effects(func)
+        given_out = "reference" in func.fact.traits
+        for statement in func.fact.body:
+            if statement.kind in {"let", "each"} or (statement.kind == "return" and given_out):
+                if effects.root(statement.value) in keys:
+                    yield statement
+
+    def _may_change(self, call: Call, name: str, cls: Cls, func: Func) -> bool:
+        """Whether a method that is called on what a member refers to is one of the tree that changes its object."""
+        written = cls.fields[name].type if name in cls.fields else ""
+        owner = self.folder.objects.class_written(written, Env(func, this=cls)) if written else None
+        method = call.callee.name if isinstance(call.callee, Member) else ""
+        known = [each for entry in self.folder.program.ancestry(owner) for each in entry.methods] if owner else []
+        return any(not self.folder.methods.leaves(each, owner) for each in known if owner and each.fact.name == method)
+
+
+def _leads_out(written: str) -> bool:
+    """Whether what a type is of can change something that lies elsewhere: a reference or pointer to what may change."""
+    if "const" in written.replace("*const", "* const").split("*")[0].split() or "const " in written.split("<")[-1]:
+        return False
+    return written.endswith(("&", "*")) or pointee(written) != written.removeprefix("const ").strip()
+
+
+def _is_given(name: str, value: Expr | None) -> bool:
+    """Whether a member is given a parameter, or its address, and nothing else."""
+    if isinstance(value, Call) and len(value.args) == 1:
+        value = value.args[0]
+    if isinstance(value, Op) and value.op == "&" and len(value.operands) == 1:
+        value = value.operands[0]
+    return value == Name(name)
+
+
+def _member(expr: Expr | None) -> str:
+    if isinstance(expr, Member):
+        return expr.name if expr.base == THIS else ""
+    return expr.id if isinstance(expr, Name) else ""
+
+
+def _on(func: Func, name: str) -> Iterator[Call]:
+    """Yield the calls of methods of what a member refers to."""
+    own = (Name(name), Member(THIS, name))
+    for call in (call for group in func.calls for call in group):
+        if isinstance(call.callee, Member) and call.callee.base in own:
+            yield call
