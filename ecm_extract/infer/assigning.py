@@ -40,7 +40,8 @@ class Assigning:
             return self.bind(target, Held("made", "", None, env, at), state)
         if statement.kind == "let" and statement.type.endswith("&"):
             return self._refer(target, value, at, env, state)
-        if isinstance(value, Opaque):
+        own_way = not self.frame.python and statement.kind == "set" and self.frame.judge.assigns_own_way(target, env)
+        if isinstance(value, Opaque) or own_way:
             return self.bind(target, Held("lost", "", None, env, at), state)
         state = self._placed(value, state)
         self._refer_through(target, value)
@@ -193,9 +194,16 @@ class Assigning:
             return {key} & effects.own or {within} - {""}
         pointer, outline = effects.key(statement.target), self.frame.outline
         pointed = set(self._iterated(value)) & effects.own if isinstance(value, Op | Call) else set()
+        if statement.type.endswith("*") and isinstance(value, Call) and self._gives_way(value):
+            pointed.add(effects.root(value))
         if not pointed or any(each.startswith(f"{pointer}.") for each in outline.changes):
             return set()
         return pointed if self._writes_through(pointer) else set()
+
+    def _gives_way(self, call: Call) -> bool:
+        """Whether a method of an object of the function gives a pointer, or a reference, to what may be changed."""
+        target = self.frame.judge.target(call, self.frame.env.func, len(self.frame.body))
+        return target is not None and "reference" in target.fact.traits and bool(self.frame.effects.root(call))
 
     def _writes_through(self, pointer: str) -> bool:
         """Whether the body changes what a variable points to; `*p = x` is written as `p = x` in its facts."""

@@ -11,6 +11,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member,
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.kinds import Exceptions
+from ecm_extract.infer.moving import moved_from
 from ecm_extract.infer.places import key_of, root_of
 from ecm_extract.link.code.walk import calls_in, children
 from ecm_extract.shipped import shipped
@@ -177,6 +178,7 @@ class Effects:
 
     def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:
         callee = call.callee
+        yield from (Effect("lost", key, call) for key in moved_from(call, self.func))
         if self._swaps(call):
             yield from self._swapped(call)
             return

@@ -36,12 +36,29 @@ class Giving:
         self.given: set[str] = set()
         self.pointers: set[str] = set()
 
-    def note(self, statement: Statement, at: int, env: Env, state: State) -> None:
-        """Note the variables to which a statement gives others a way."""
+    def note(self, statement: Statement, at: int, env: Env, state: State) -> bool:
+        """Note the variables to which a statement gives others a way.
+
+        Returns:
+            Whether what it makes has a way to something that the function changes later.
+        """
         if self.frame.python:
-            return
+            return False
         for arg in self._kept(statement, at, env):
             self._note(arg, state)
+        return statement.kind == "let" and any(self._is_changed_behind(arg, at) for arg in self._seen(at, env))
+
+    def _seen(self, at: int, env: Env) -> Iterator[Expr]:
+        """Yield the arguments of the calls of a statement that what they make only reads later."""
+        for call in self.frame.env.func.calls[at]:
+            if self._gives_variables(call):
+                yield from (call.args[kept.at] for kept in self.frame.judge.kept_arguments(call, env) if not kept.changes)
+
+    def _is_changed_behind(self, arg: Expr, at: int) -> bool:
+        """Whether a statement behind one changes a variable, or a field of it."""
+        root, outline = self.frame.effects.root(arg), self.frame.outline
+        later = (key for each in range(at + 1, len(self.frame.body)) for key in outline.changed_by(each))
+        return bool(root) and any(key == root or key.startswith(f"{root}.") for key in later)
 
     def _note(self, arg: Expr, state: State) -> None:
         effects = self.frame.effects
@@ -51,7 +68,7 @@ class Giving:
             return
         if meant is arg and self._is_pointer(root, state):
             self.pointers |= self.memory.sharing.names_of(root)
-        elif "." not in root:
+        else:
             self.given |= self.memory.sharing.names_of(root)
 
     def _is_pointer(self, key: str, state: State) -> bool:
@@ -71,8 +88,6 @@ class Giving:
             yield from self._kept_by(call, env)
         if isinstance(value, Items):
             yield from self._ways(value)
-        elif statement.kind == "each" and isinstance(value, Call):
-            yield from (way for arg in value.args for way in self._ways(arg))
 
     def _kept_by(self, call: Call, env: Env) -> Iterator[Expr]:
         callee = call.callee
@@ -88,7 +103,7 @@ class Giving:
         elif path and (makes_tuple(call) or is_container(path)):
             yield from (way for arg in call.args for way in self._ways(arg))
         elif self._gives_variables(call):
-            yield from (call.args[index] for index in self.frame.judge.kept_arguments(call, env))
+            yield from (call.args[kept.at] for kept in self.frame.judge.kept_arguments(call, env) if kept.changes)
 
     def _gives_variables(self, call: Call) -> bool:
         """Whether any argument is a variable of the function, or the address of one."""

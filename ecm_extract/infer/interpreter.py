@@ -183,9 +183,11 @@ class Interpreter:
 
     def _given(self, statement: Statement, at: int, env: Env, state: State) -> State:
         """The state after a statement has given its target a value, and others ways to variables."""
-        self.giving.note(statement, at, env, state)
+        sees = self.giving.note(statement, at, env, state)
         if statement.kind == "do":
             return state
         state = self.memory.lost(state, self.assigning.escape(statement))
         state = self.assigning.assign(statement, at, env, self.assigning.shared_change(statement, state))
+        if sees:
+            return self.memory.lost(state, self.frame.outline.bound_keys(statement.target))
         return self.giving.written(statement.target, state) if statement.kind == "set" else state

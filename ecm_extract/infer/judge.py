@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
 
@@ -15,6 +15,13 @@ from ecm_extract.infer.routes import Fork, Verdict
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
     from ecm_extract.link.running.env import Bound, Env
+
+
+class Kept(NamedTuple):
+    """An argument to which some object keeps a way: its place, and whether that object may change it."""
+
+    at: int
+    changes: bool
 
 
 class Lasting(Protocol):
@@ -75,8 +82,11 @@ class Judge(Targets, Protocol):
     def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
         """Return the members that a call of a method may change, each with its key there; None if that is unknown."""
 
-    def kept_arguments(self, call: Call, env: Env) -> Sequence[int]:
-        """Return which arguments of a call of C++ some object keeps a reference or pointer to, and may change by it."""
+    def assigns_own_way(self, target: Expr | None, env: Env) -> bool:
+        """Tell whether the class of an object of C++ says what an assignment to it does."""
+
+    def kept_arguments(self, call: Call, env: Env) -> Sequence[Kept]:
+        """Return the arguments of a call of C++ to which some object keeps a reference or pointer."""
 
     def is_fixed(self, key: str, env: Env) -> bool:
         """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""

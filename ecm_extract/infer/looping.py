@@ -38,6 +38,7 @@ class Looping:
         if items is None or len(items) > MAX_ROUNDS:
             return self._blur(loop, state)
         self.frame.record(loop.each, [state])
+        self.calling.giving.note(each, loop.each, self.frame.place(state), state)
         self.memory.sharing.enter(each)
         self.exits.enter_loop()
         current: State | None = state

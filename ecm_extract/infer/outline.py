@@ -127,7 +127,9 @@ class Outline:
         return own and self.effects.targets.lent.is_lent(call, self.func, index)
 
     def _are_followed(self, func: Func, keys: Set[str]) -> bool:
-        """Whether what a function within it changes are variables that nobody hands to it as well, by reference."""
+        """Whether what a function within it changes are variables that nobody hands to it, or is shown, by reference."""
+        if "reference" in func.fact.traits:
+            return False
         calls = [call for group in self.func.calls for call in group]
         named = [call for call in calls if call.callee == Name(func.fact.name)] if not self.python else []
         named += [call for call in calls if _is_given(call, func)]
@@ -234,6 +236,8 @@ class Outline:
             targets = [statement.target] if statement.kind in {"set", "each"} else []
             keys = [inner.key(target) or inner.root(target) for target in targets]
             keys += [effect.key for effect in inner.of(at) if not bound and not self._is_text(effect)]
+            shown = statement.kind == "return" and not bound and "reference" in func.fact.traits
+            keys += [inner.root(statement.value)] if shown else []  # who calls it may change what it shows
             for key in keys:
                 if key.split(".")[0] not in own:
                     own_or_dotted = key in self.effects.own or "." in key

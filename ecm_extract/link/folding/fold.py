@@ -41,6 +41,7 @@ from ecm_extract.link.folding.kept_objects import KeptObjects
 from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.optionals import OptionalFolder
+from ecm_extract.link.folding.own_copies import OwnCopies
 from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
@@ -114,6 +115,7 @@ class Folder:
         self.list_changes = ListChanges(self)
         self.structures = StructureFolder(self)
         self.kept = KeptObjects(self)
+        self.own_copies = OwnCopies(self)
         self.tables = TableFolder(self)
         self.optionals = OptionalFolder(self)
         self.searches = SearchFolder(self)

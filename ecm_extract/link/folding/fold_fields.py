@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Member, Name, Op
+from ecm_parsers.source.expr import Expr, Items, Member, Name, Op
 
 from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Func
@@ -114,7 +114,15 @@ class FieldFolder:
         """Tell whether two objects are of one class, or called the same where a class is not known."""
         first = self.folder.objects.class_of(one, env)
         second = self.folder.objects.class_of(other, inner)
-        return one == other if first is None or second is None else first is second
+        if first is not None and second is not None:
+            return first is second
+        return one == other and (inner.func is env.func or not self._is_declared(one, env))
+
+    def _is_declared(self, expr: Expr, env: Env) -> bool:
+        """Tell whether a variable is one of the function at hand: another function has none of that name in common."""
+        body = (env.func.fact.body[at] for at in self.folder.scope.locals_of(env.func).get(_root_name(expr), ()))
+        parts = (entry.target for entry in env.func.fact.body if isinstance(entry.target, Items))
+        return any(entry.kind in {"let", "each"} for entry in body) or any(Name(_root_name(expr)) in each.items for each in parts)
 
     def _helpers(self, expr: Member, env: Env) -> Iterator[Func]:
         cls = env.this or env.func.cls
@@ -130,6 +138,12 @@ class FieldFolder:
         if func is env.func:
             return env.before(at)
         return Env(func, at, this=func.cls and (env.this or func.cls), depth=env.depth + 1)
+
+
+def _root_name(expr: Expr) -> str:
+    while isinstance(expr, Member):
+        expr = expr.base
+    return expr.id if isinstance(expr, Name) else ""
 
 
 def _is_element(expr: Expr) -> bool:

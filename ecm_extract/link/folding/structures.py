@@ -266,7 +266,7 @@ class StructureFolder:
         if isinstance(expr, Call) and self._class_called(expr, env) is not None:
             return Bound(expr, env)
         if not isinstance(expr, Name | Member):
-            return self.folder.lists.element(expr, env)
+            return self.folder.own_copies.of_element(self.folder.lists.element(expr, env))
         helds = self._helds(expr, env)
         if all(held.how == "given" for held in helds):
             return self._of_name(expr, env) if isinstance(expr, Name) else self._of_whole(expr, env)
@@ -275,7 +275,7 @@ class StructureFolder:
             return None
         if isinstance(expr, Name) and not self._is_followed(expr.id, held.expr, held.env.func):
             return None
-        return Bound(held.expr, held.env)
+        return self.folder.own_copies.given(expr, Bound(held.expr, held.env), held.env.func)
 
     def _is_followed(self, name: str, made: Expr, func: Func) -> bool:
         """Whether it is seen who changes the object in a variable."""
@@ -317,7 +317,7 @@ class StructureFolder:
         """What is passed for a parameter, or what a variable of a namespace is declared with that nobody changes."""
         given = self.folder.names.argument(expr.id, env)
         if given is not None or not self.folder.outside.is_untouched(expr.id, env.func):
-            return given
+            return self.folder.own_copies.given(expr, given, env.func) if given is not None else None
         found = self.folder.scope.constant(expr.id, env)
         value = found[0].value if found is not None else None
         return Bound(value, self.folder.names.stated_at(*found, env)) if found and value else None

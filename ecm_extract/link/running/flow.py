@@ -11,6 +11,7 @@ from ecm_parsers.source.expr import Call, Expr
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.interpreter import Interpreter
+from ecm_extract.infer.judge import Kept
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import as_written
 from ecm_extract.infer.routes import Fork, Verdict
@@ -324,8 +325,12 @@ class Flow:
         """Return the members that a call of a method may change; None where that is not known."""
         return self.folder.methods.changed(call, env)
 
-    def kept_arguments(self, call: Call, env: Env) -> Sequence[int]:
-        """Return which arguments of a call of C++ some object keeps a reference or pointer to, and may change by it."""
+    def assigns_own_way(self, target: Expr | None, env: Env) -> bool:
+        """Tell whether the class of an object of C++ says what an assignment to it does."""
+        return self.folder.own_copies.is_assigned(target, env)
+
+    def kept_arguments(self, call: Call, env: Env) -> Sequence[Kept]:
+        """Return the arguments of a call of C++ to which some object keeps a reference or pointer."""
         return self.folder.kept_references.of(call, env)
 
     def is_fixed(self, key: str, env: Env) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.judge import Kept
 from ecm_extract.link.code.handing_on import THIS
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import pointee
@@ -25,8 +26,8 @@ class KeptReferences:
         self.folder = folder
         self._writing: dict[tuple[Cls, str], bool] = {}
 
-    def of(self, call: Call, env: Env) -> Sequence[int]:
-        """Return which arguments of a call are kept so."""
+    def of(self, call: Call, env: Env) -> Sequence[Kept]:
+        """Return the arguments of a call that are kept so."""
         made = pointed(call) or (call.callee.id if isinstance(call.callee, Name) else "")
         cls = self.folder.objects.class_written(made, env) if made else None
         if cls is None:
@@ -34,21 +35,24 @@ class KeptReferences:
             return self._by_function(method) if method is not None and method.cls is not None else ()
         maker = self.folder.objects.constructor(cls, len(call.args))
         if maker is not None:
-            return self._by_function(maker)[: len(call.args)]
-        fields = list(zip(cls.fact.fields, range(len(call.args)), strict=False))
-        return [at for field, at in fields if _leads_out(field.type) and self.is_written_through(field.name, cls)]
+            return [kept for kept in self._by_function(maker) if kept.at < len(call.args)]
+        fields = enumerate(cls.fact.fields[: len(call.args)])
+        return [Kept(at, self._changes(field.name, cls)) for at, field in fields if _refers(field.type)]
 
-    def _by_function(self, func: Func) -> Sequence[int]:
-        leading = [(at, entry.name) for at, entry in enumerate(func.fact.params) if _leads_out(entry.type)]
-        return [at for at, name in leading if any(self._keeps(name, func))]
+    def _by_function(self, func: Func) -> Sequence[Kept]:
+        referring = [(at, entry.name) for at, entry in enumerate(func.fact.params) if _refers(entry.type)]
+        return [Kept(at, changes) for at, name in referring for changes in self._keeps(name, func)]
 
     def _keeps(self, name: str, func: Func) -> Iterator[bool]:
         """Yield for each member that keeps a parameter whether that is changed through it."""
         for statement in func.fact.body:
             if statement.kind in {"init", "set"} and _is_given(name, statement.value) and func.cls is not None:
                 member = _member(statement.target)
-                if member in func.cls.fields and _leads_out(func.cls.fields[member].type):
-                    yield self.is_written_through(member, func.cls)
+                if member in func.cls.fields and _refers(func.cls.fields[member].type):
+                    yield self._changes(member, func.cls)
+
+    def _changes(self, name: str, cls: Cls) -> bool:
+        return _leads_out(cls.fields[name].type) and self.is_written_through(name, cls)
 
     def is_written_through(self, name: str, cls: Cls) -> bool:
         """Tell whether a method changes what a member refers to or points to, or gives others a way to."""
@@ -91,11 +95,14 @@ class KeptReferences:
         return any(not self.folder.methods.leaves(each, owner) for each in known if owner and each.fact.name == method)
 
 
-def _leads_out(written: str) -> bool:
-    """Whether what a type is of can change something that lies elsewhere: a reference or pointer to what may change."""
-    if "const" in written.replace("*const", "* const").split("*")[0].split() or "const " in written.split("<")[-1]:
-        return False
+def _refers(written: str) -> bool:
+    """Whether what a type is of lies elsewhere: a reference or a pointer."""
     return written.endswith(("&", "*")) or pointee(written) != written.removeprefix("const ").strip()
+
+
+def _leads_out(written: str) -> bool:
+    """Whether what a type is of refers to something that can be changed by it."""
+    return _refers(written) and "const" not in written.replace("<", " ").partition("*")[0].split()
 
 
 def _is_given(name: str, value: Expr | None) -> bool:

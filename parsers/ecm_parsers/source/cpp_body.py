@@ -12,7 +12,7 @@ from ecm_parsers.source.cpp_changes import Changes
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_heads import hides, macro_test
-from ecm_parsers.source.cpp_lambdas import DeclaredFunctions, as_function, changes_copies, lambda_parameters, place_name
+from ecm_parsers.source.cpp_lambdas import DeclaredFunctions, as_function, lambda_parameters, lambda_traits, place_name
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_raising import type_thrown, types_caught
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of, otherwise
@@ -283,7 +283,7 @@ class BodyReader:
             line_of(node),
             node.end_point[0] + 1,
             tuple(inner.writer.statements),
-            traits=("lambda", "mutable") if changes_copies(node) else ("lambda",),
+            traits=lambda_traits(node),
             flow=inner.writer.flow(),
         )
         read = capturing((made, *inner.functions), held)

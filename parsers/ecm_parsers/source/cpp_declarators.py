@@ -89,7 +89,16 @@ def _given_out(node: Node) -> tuple[str, ...]:
     declarator = node.child_by_field_name("declarator")
     refers = declarator is not None and declarator.type in {"reference_declarator", "pointer_declarator"}
     fixed = any(child.type == "type_qualifier" for child in node.children)
-    return ("reference",) if refers and not fixed else ()
+    return ("reference",) if refers and not fixed else trailing_reference(declarator)
+
+
+def trailing_reference(declarator: Node | None) -> tuple[str, ...]:
+    """Return the same of what a function or a lambda returns behind `->`."""
+    parts = declarator.named_children if declarator is not None else []
+    written = next((part.text or b"" for part in parts if part.type == "trailing_return_type"), b"")
+    returned = written.removeprefix(b"->").strip()
+    refers = returned.endswith((b"&", b"*")) or returned == b"decltype(auto)"
+    return ("reference",) if refers and not returned.startswith(b"const ") else ()
 
 
 def announced_end(reader: ExprReader, node: Node) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING, Final
 
+from ecm_parsers.source.cpp_declarators import trailing_reference
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.expr import Call, Expr, Lambda
@@ -74,8 +75,14 @@ def lambda_parameters(reader: ExprReader, node: Node) -> tuple[Parameter, ...]:
     return parameters(reader, declarator.child_by_field_name("parameters") if declarator is not None else None)
 
 
-def changes_copies(node: Node) -> bool:
-    """Tell whether a lambda may change its own copies of variables around it, which go by the names of these."""
+def lambda_traits(node: Node) -> tuple[str, ...]:
+    """Return the traits of a lambda: what it returns, and whether it changes copies that it has."""
+    copies = ("mutable",) if _changes_copies(node) else ()
+    return ("lambda", *copies, *trailing_reference(node.child_by_field_name("declarator")))
+
+
+def _changes_copies(node: Node) -> bool:
+    """Whether a lambda may change its own copies of variables around it, which go by the names of these."""
     declarator = node.child_by_field_name("declarator")
     parts = declarator.children if declarator is not None else []
     if not any(part.text == b"mutable" for part in parts):

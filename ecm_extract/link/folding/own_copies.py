@@ -1,0 +1,87 @@
+"""Objects of C++ whose class says itself what a copy is: a copy is made by that constructor, as any other object."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name
+
+from ecm_extract.link.code.pointed import pointed
+from ecm_extract.link.code.spelling import by_value, plain
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.running.env import Bound, Env
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+_MOVES: Final = (Name("std::move"), Name("std::forward"))
+
+
+class OwnCopies:
+    """Tells which objects are copied so; each class is looked at once."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._copying: dict[Cls, bool] = {}
+        self._assigning: dict[Cls, bool] = {}
+
+    def given(self, name: Expr, whole: Bound, func: Func) -> Bound:
+        """Return what makes the object in a variable of a function that is given one: a reference is that one itself."""
+        written = func.written_types.get(name.id, "") if isinstance(name, Name) else ""
+        return whole if written.endswith(("&", "*")) else self._made(whole)
+
+    def of_element(self, element: Bound | None) -> Bound | None:
+        """Return what makes an element of a list."""
+        return self._made(element) if element is not None else None
+
+    def _made(self, whole: Bound) -> Bound:
+        """What makes a copy of an object, where its class says that; else the object as it is."""
+        moved = whole.expr.args[0] if isinstance(whole.expr, Call) and whole.expr.callee in _MOVES else whole.expr
+        if whole.env.func.file.language != "cpp" or not isinstance(moved, Name | Member):
+            return whole
+        cls = self._class_of(moved, whole.env)
+        if cls is None or not self._copies(cls):
+            return whole
+        return Bound(Call(Name(cls.fact.name), (whole.expr,)), whole.env)
+
+    def is_assigned(self, target: Expr | None, env: Env) -> bool:
+        """Tell whether the class of an object says what an assignment to it does."""
+        if "operator=" not in self.folder.program.functions or not isinstance(target, Name | Member):
+            return False
+        cls = self._class_of(target, env)
+        if cls is None:
+            return False
+        known = self._assigning.get(cls)
+        if known is None:
+            lineage = self.folder.program.ancestry(cls)
+            named = [method for entry in lineage for method in entry.methods if method.fact.name == "operator="]
+            known = self._assigning[cls] = any(map(_is_own, named))
+        return known
+
+    def _class_of(self, expr: Name | Member, env: Env) -> Cls | None:
+        """The class of an object that a variable or field is, behind no pointer."""
+        written = self.folder.objects.type_of(expr, env)
+        if not written or not by_value(written.removesuffix("&").strip()):
+            return None
+        helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
+        if any(held.expr is not None and pointed(held.expr) for held in helds):
+            return None
+        return self.folder.objects.class_written(written, env)
+
+    def _copies(self, cls: Cls) -> bool:
+        known = self._copying.get(cls)
+        if known is None:
+            makers = (each for each in cls.methods if each.is_constructor and _is_own(each))
+            known = self._copying[cls] = any(_takes_own(each, cls) for each in makers)
+        return known
+
+
+def _is_own(method: Func) -> bool:
+    """Whether a class says what a method does, here or where that is not seen: `= default` has no statement."""
+    return bool(method.fact.body) or "declaration" in method.fact.traits
+
+
+def _takes_own(maker: Func, cls: Cls) -> bool:
+    """Whether a constructor is given an object of its class."""
+    first = maker.fact.params[0].type if len(maker.fact.params) == 1 else ""
+    return first.endswith("&") and plain(first).rpartition("::")[2] == cls.fact.name
