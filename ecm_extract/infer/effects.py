@@ -11,8 +11,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member,
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.kinds import Exceptions
-from ecm_extract.infer.moving import moved_from
-from ecm_extract.infer.places import key_of, root_of
+from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.link.code.walk import calls_in, children
 from ecm_extract.shipped import shipped
 
@@ -20,6 +19,9 @@ if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
 
 Kind = Literal["changed", "lost", "out", "handed", "swapped"]
+
+
+_SETATTR: Final = Name("setattr")
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,7 +137,7 @@ class Effects:
             return self.reached(shown) if shown is not None else expr
         if not isinstance(expr.base, Call | Member):
             return expr
-        part = self.targets.shown_part(expr.base, self.func) if isinstance(expr.base, Call) else self.reached(expr.base)
+        part = self.reached(expr.base)
         return expr if part is None or part is expr.base else Member(part, expr.name)
 
     def root(self, expr: Expr | None) -> str:
@@ -178,10 +180,11 @@ class Effects:
 
     def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:
         callee = call.callee
-        yield from (Effect("lost", key, call) for key in moved_from(call, self.func))
         if self._swaps(call):
             yield from self._swapped(call)
             return
+        if self.python and callee == _SETATTR and call.args:
+            yield Effect("lost", self.key(Member(call.args[0], ALL_FIELDS)), call)
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""

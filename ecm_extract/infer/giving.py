@@ -52,7 +52,9 @@ class Giving:
         """Yield the arguments of the calls of a statement that what they make only reads later."""
         for call in self.frame.env.func.calls[at]:
             if self._gives_variables(call):
-                yield from (call.args[kept.at] for kept in self.frame.judge.kept_arguments(call, env) if not kept.changes)
+                yield from (
+                    call.args[kept.at] for kept in self.frame.judge.kept_arguments(call, env) if not kept.changes
+                )
 
     def _is_changed_behind(self, arg: Expr, at: int) -> bool:
         """Whether a statement behind one changes a variable, or a field of it."""

@@ -9,7 +9,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, statements
 
 from ecm_extract.infer.held import Held, How, State
-from ecm_extract.infer.places import wholes
+from ecm_extract.infer.places import ALL_FIELDS, wholes
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.sharing import Sharing
 
@@ -51,7 +51,16 @@ class Memory:
             held = self._seen_by_others(key, held)
         if held.length >= MAX_LENGTH:
             self.frame.judge.settle(held)
-        return state.having({key: (held,)})
+        return self._of_any_field(key, state).having({key: (held,)})
+
+    def _of_any_field(self, key: str, state: State) -> State:
+        """The state after somebody changed the table of the fields of an object of Python: nobody knows any of them."""
+        if not key.endswith(f".{ALL_FIELDS}"):
+            return state
+        owner = key.removesuffix(f".{ALL_FIELDS}")
+        if not owner:
+            return self.lost(state, [member for member in state.holds if member.startswith(".")])
+        return self.lost(state, self.names(owner, state))
 
     def _seen_by_others(self, key: str, held: Held) -> Held:
         """What a variable holds that a lambda or a pointer may change any time."""
@@ -91,6 +100,7 @@ class Memory:
         if held.length >= MAX_LENGTH:
             self.frame.judge.settle(held)
         ways = (held,)
+        state = self._of_any_field(key, state)
         if held.how == "lost":
             for name in alike:
                 state = self.parts_lost(name, state)

@@ -127,7 +127,7 @@ class Outline:
         return own and self.effects.targets.lent.is_lent(call, self.func, index)
 
     def _are_followed(self, func: Func, keys: Set[str]) -> bool:
-        """Whether what a function within it changes are variables that nobody hands to it, or is shown, by reference."""
+        """Whether what a function within it changes are variables that nobody else has a reference to."""
         if "reference" in func.fact.traits:
             return False
         calls = [call for group in self.func.calls for call in group]

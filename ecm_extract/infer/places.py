@@ -10,6 +10,8 @@ from ecm_parsers.source.flow import Attempt, Block, blocks
 
 from ecm_extract.infer.unpacking import unstarred
 
+ALL_FIELDS = "__dict__"
+"""Member of objects of Python that has all others: who changes an element of it may change any of these."""
 _THIS = Name("this")
 _GET = Name("std::get")
 

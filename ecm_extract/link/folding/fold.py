@@ -45,8 +45,8 @@ from ecm_extract.link.folding.own_copies import OwnCopies
 from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
-from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.folding.typed_numbers import TypedNumbers
+from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
@@ -65,6 +65,7 @@ from ecm_extract.link.running.origins import Origins
 from ecm_extract.link.running.outside_variables import OutsideVariables
 from ecm_extract.link.running.parameter_reads import ParameterReads
 from ecm_extract.link.running.part_objects import PartObjects
+from ecm_extract.link.running.python_fields import PythonFields
 from ecm_extract.link.running.runs_once import RunsOnce
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.link.running.shifting import Shifting
@@ -149,6 +150,7 @@ class Folder:
         self.lasting_states = LastingStates(self)
         self.lent = Lent(self)
         self.kept_references = KeptReferences(self)
+        self.python_fields = PythonFields(self)
         self.methods = MethodEffects(self)
         self.scope.ways = self.flow.ways
 

@@ -120,9 +120,9 @@ class FieldFolder:
 
     def _is_declared(self, expr: Expr, env: Env) -> bool:
         """Tell whether a variable is one of the function at hand: another function has none of that name in common."""
-        body = (env.func.fact.body[at] for at in self.folder.scope.locals_of(env.func).get(_root_name(expr), ()))
-        parts = (entry.target for entry in env.func.fact.body if isinstance(entry.target, Items))
-        return any(entry.kind in {"let", "each"} for entry in body) or any(Name(_root_name(expr)) in each.items for each in parts)
+        name = Name(_root_name(expr))
+        declared = [entry.target for entry in env.func.fact.body if entry.kind in {"let", "each"}]
+        return any(name == target or (isinstance(target, Items) and name in target.items) for target in declared)
 
     def _helpers(self, expr: Member, env: Env) -> Iterator[Func]:
         cls = env.this or env.func.cls

@@ -89,8 +89,8 @@ class MemberFolder:
         return bool(file_scope.type_of(root.id, env)) and file_scope.is_changed(root.id, env)
 
     def _is_of_lost(self, expr: Expr | None, env: Env) -> bool:
-        """Tell whether an object of C++ is, or is in, a variable that somebody may have changed who is not followed."""
-        while expr is not None and env.func.file.language == "cpp":
+        """Tell whether an object is, or is in, a variable that somebody may have changed who is not followed."""
+        while expr is not None:
             if isinstance(expr, Name | Member) and expr != Name("this"):
                 helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
                 if any(held.how == "lost" for held in all_ways(helds)):
@@ -209,7 +209,8 @@ class MemberFolder:
         others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
         others = others or list(self.initial(name, cls, env))
         filled = [value for value in others or values if value.text]
-        open_ = [unknown(name)] if self._is_others(name, cls) else []
+        any_ = self.folder.python_fields.any_is_given(cls)
+        open_ = [unknown(name)] if any_ or self._is_others(name, cls) else []
         return alternatives([*(filled or others or values), *open_]) if values else ()
 
     def _is_others(self, name: str, cls: Cls) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
@@ -14,8 +14,6 @@ from ecm_extract.link.running.env import Bound, Env
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
-_MOVES: Final = (Name("std::move"), Name("std::forward"))
-
 
 class OwnCopies:
     """Tells which objects are copied so; each class is looked at once."""
@@ -26,7 +24,7 @@ class OwnCopies:
         self._assigning: dict[Cls, bool] = {}
 
     def given(self, name: Expr, whole: Bound, func: Func) -> Bound:
-        """Return what makes the object in a variable of a function that is given one: a reference is that one itself."""
+        """Return what makes the object in a variable that is given one: a reference is that one itself."""
         written = func.written_types.get(name.id, "") if isinstance(name, Name) else ""
         return whole if written.endswith(("&", "*")) else self._made(whole)
 
@@ -36,10 +34,9 @@ class OwnCopies:
 
     def _made(self, whole: Bound) -> Bound:
         """What makes a copy of an object, where its class says that; else the object as it is."""
-        moved = whole.expr.args[0] if isinstance(whole.expr, Call) and whole.expr.callee in _MOVES else whole.expr
-        if whole.env.func.file.language != "cpp" or not isinstance(moved, Name | Member):
+        if whole.env.func.file.language != "cpp" or not isinstance(whole.expr, Name | Member):
             return whole
-        cls = self._class_of(moved, whole.env)
+        cls = self._class_of(whole.expr, whole.env)
         if cls is None or not self._copies(cls):
             return whole
         return Bound(Call(Name(cls.fact.name), (whole.expr,)), whole.env)

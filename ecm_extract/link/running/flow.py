@@ -215,17 +215,12 @@ class Flow:
 
     def _is_shared(self, key: str, env: Env) -> bool:
         """Whether a variable is that of the object, or of the file, for a function and for the one that declares it."""
-        if key.count(".") > 1:
-            return False
-        return key.startswith(".") or ("." not in key and key not in self._names_around(env))
+        own = key.startswith(".") and key.count(".") == 1
+        return own or ("." not in key and key not in self._names_around(env))
 
     def _names_around(self, env: Env) -> Set[str]:
-        names: set[str] = set()
-        place: Env | None = env
-        while place is not None:
-            names |= self.effects(place.func).own
-            place = place.outer
-        return names
+        around = self._names_around(env.outer) if env.outer is not None else frozenset()
+        return self.effects(env.func).own | around
 
     def outline(self, func: Func) -> Outline:
         """Return what is known of a function before it runs."""
@@ -274,11 +269,7 @@ class Flow:
 
     def has_setter(self, name: str, method: Func | None) -> bool:
         """Tell whether objects of Python have a property that a method sets: that of a method, None for any object."""
-        lineage = self.folder.program.ancestry(method.cls) if method is not None and method.cls is not None else None
-        setters = (
-            each for each in self.folder.program.functions.get(name, ()) if lineage is None or each.cls in lineage
-        )
-        return any(f"{name}.setter" in each.fact.decorators for each in setters)
+        return self.folder.python_fields.has_setter(name, method)
 
     def keeps(self, path: str) -> bool:
         """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""

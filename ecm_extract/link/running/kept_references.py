@@ -81,10 +81,10 @@ class KeptReferences:
         """The statements that declare another name of a member, or return it as a reference."""
         effects = self.folder.flow.effects(func)
         given_out = "reference" in func.fact.traits
+        kinds = {"let", "each", "return"} if given_out else {"let", "each"}
         for statement in func.fact.body:
-            if statement.kind in {"let", "each"} or (statement.kind == "return" and given_out):
-                if effects.root(statement.value) in keys:
-                    yield statement
+            if statement.kind in kinds and effects.root(statement.value) in keys:
+                yield statement
 
     def _may_change(self, call: Call, name: str, cls: Cls, func: Func) -> bool:
         """Whether a method that is called on what a member refers to is one of the tree that changes its object."""

@@ -51,7 +51,9 @@ class Shifting:
 
     def _shifts(self, name: str, cls: Cls) -> bool:
         changes = self._changed(name, cls)
-        return len(changes) > 1 or any(not self._is_first(f".{name}", method, at) for method, at in changes)
+        if len(changes) > 1 or self.folder.python_fields.any_is_given(cls):
+            return True
+        return any(not self._is_first(f".{name}", method, at) for method, at in changes)
 
     def _changed(self, name: str, cls: Cls) -> list[tuple[Func, int]]:
         """The statements that change a member, each with its method."""

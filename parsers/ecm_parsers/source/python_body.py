@@ -16,6 +16,7 @@ from ecm_parsers.source.expr import Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Constant, Field
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Loop, Switch
 from ecm_parsers.source.python_expr import parts, salvage
+from ecm_parsers.source.python_fields import given_by, gives_field
 from ecm_parsers.source.python_literal import NULL, TRUE
 from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught, types_suppressed
 from ecm_parsers.source.python_scan import Scan, StatementHandler
@@ -32,8 +33,17 @@ def _expression(scan: Scan, node: Node) -> None:
             _assignment(scan, child)
         elif kind == "augmented_assignment":
             _augmented(scan, child)
-        elif kind != "string":
+        elif kind != "string" and not _field(scan, child):
             scan.do(child)
+
+
+def _field(scan: Scan, node: Node) -> bool:
+    """A call that gives an object a field, which is told as the assignment that it is."""
+    named = node.type == "call" and gives_field(scan.text(node.children[0]))
+    given = given_by(scan.expr(node)) if named else None
+    if given is not None:
+        scan.emit("set", node, given.value or scan.opaque(node), given.target, "" if given.value else "del")
+    return given is not None
 
 
 def _assignment(scan: Scan, node: Node) -> None:

@@ -27,6 +27,7 @@ from ecm_parsers.source.expr import (
     Template,
     Text,
 )
+from ecm_parsers.source.python_fields import field_of, table_of
 from ecm_parsers.source.python_literal import (
     FALSE,
     NULL,
@@ -91,7 +92,7 @@ def _call(scan: Scan, node: Node) -> Expr:
     if args[:1] == [_THIS] and _is_of_base(scan, function):
         base = Call(Name("super"), (Text(scan.text(function.child_by_field_name("object"))),), line=line)
         callee, args = Member(base, scan.text(function.child_by_field_name("attribute"))), args[1:]
-    return Call(callee, tuple(args), tuple(keywords), (), line, tuple(lines))
+    return table_of(Call(callee, tuple(args), tuple(keywords), (), line, tuple(lines)))
 
 
 def _is_of_base(scan: Scan, function: Node) -> bool:
@@ -197,7 +198,7 @@ def _pair_table(scan: Scan, node: Node) -> Expr:
 def _subscript(scan: Scan, node: Node) -> Expr:
     base, *indices = parts(node)
     index = [scan.expr(child) for child in indices]
-    return Op("[]", (scan.expr(base), index[0] if len(index) == 1 else Items(tuple(index))))
+    return field_of(scan.expr(base), index[0] if len(index) == 1 else Items(tuple(index)))
 
 
 def _slice(scan: Scan, node: Node) -> Expr:
