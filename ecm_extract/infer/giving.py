@@ -7,7 +7,7 @@ what is no variable itself, may change `one`.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Statement
@@ -27,6 +27,19 @@ _RAW: Final = "get"
 """Method of smart pointers that gives the pointer itself."""
 
 
+class WaysGiven(NamedTuple):
+    """The ways that a statement gives, whatever the state is in which it runs.
+
+    Attributes:
+        kept: variables, or their addresses, that something keeps. copied: what may be a pointer that is copied.
+        sees: whether what it makes has a way to something that the function changes later.
+    """
+
+    kept: tuple[Expr, ...]
+    copied: Expr | None
+    sees: bool
+
+
 class Giving:
     """Notes such variables, and what becomes of them."""
 
@@ -44,17 +57,23 @@ class Giving:
         """
         if self.frame.python:
             return False
-        for arg in self._kept(statement, at, env):
+        known = self.frame.outline.ways_given
+        if at not in known:
+            seen = statement.kind == "let" and any(self._is_changed_behind(arg, at) for arg in self._seen(at, env))
+            known[at] = WaysGiven(tuple(self._kept(statement, at, env)), _copied(statement), seen)
+        given = known[at]
+        for arg in given.kept:
             self._note(arg, state)
-        return statement.kind == "let" and any(self._is_changed_behind(arg, at) for arg in self._seen(at, env))
+        if given.copied is not None and self._is_pointer(self.frame.effects.key(given.copied), state):
+            self._note(given.copied, state)
+        return given.sees
 
     def _seen(self, at: int, env: Env) -> Iterator[Expr]:
         """Yield the arguments of the calls of a statement that what they make only reads later."""
         for call in self.frame.env.func.calls[at]:
             if self._gives_variables(call):
-                yield from (
-                    call.args[kept.at] for kept in self.frame.judge.kept_arguments(call, env) if not kept.changes
-                )
+                found = self.frame.judge.kept_arguments(call, env)
+                yield from (call.args[kept.at] for kept in found if not kept.changes)
 
     def _is_changed_behind(self, arg: Expr, at: int) -> bool:
         """Whether a statement behind one changes a variable, or a field of it."""
@@ -82,10 +101,8 @@ class Giving:
     # --- who keeps a way -------------------------------------------------------------------------------------
 
     def _kept(self, statement: Statement, at: int, env: Env) -> Iterator[Expr]:
-        """Yield the variables, or their addresses, that calls of a statement keep, and pointers that it copies."""
+        """Yield the variables, or their addresses, that calls of a statement keep."""
         value = statement.value
-        if statement.kind in {"set", "init"} and isinstance(value, Name | Member):
-            yield from (value,) if self._is_pointer(self.frame.effects.key(value), env.state or State()) else ()
         for call in self.frame.env.func.calls[at]:
             yield from self._kept_by(call, env)
         if isinstance(value, Items):
@@ -150,3 +167,9 @@ class Giving:
         """The state in which nobody knows the fields of what pointers point to, those that a suffix ends if any."""
         parts = [key for key in state.holds if key.partition(".")[0] in pointers and "." in key]
         return self.memory.lost(state, [key for key in parts if key.endswith(suffix)])
+
+
+def _copied(statement: Statement) -> Expr | None:
+    """What a statement gives something else as it is."""
+    value = statement.value
+    return value if statement.kind in {"set", "init"} and isinstance(value, Name | Member) else None

@@ -20,6 +20,7 @@ from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.walk import children, comprehensions
 
 if TYPE_CHECKING:
+    from ecm_extract.infer.giving import WaysGiven
     from ecm_extract.link.code.units import Func
 
 Reads = Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]
@@ -43,6 +44,7 @@ class Outline:
         self.python = func.file.language == "python"
         self.is_module = self.python and func.fact.name == "<module>"
         self.effects = Effects(func, own_names(func.fact, self.python), targets)
+        self.ways_given: dict[int, WaysGiven] = {}
 
     @cached_property
     def block(self) -> Block:

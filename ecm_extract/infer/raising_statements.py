@@ -53,8 +53,9 @@ class RaisingStatements:
         return None if self.frame.rounds else after.through(raising, False)
 
     def _may_be_proved(self, at: int) -> bool:
-        """Whether it can be known that a statement raises; with nobody around who handles it, by itself."""
-        return self.frame.judge.exceptions.is_provable(self.frame.env.func, at, self.exits.catches)
+        """Whether it can be known that a statement raises: of what it calls where that ends a round, or is handled."""
+        asked = self.exits.catches or self.frame.rounds > 0
+        return self.frame.judge.exceptions.is_provable(self.frame.env.func, at, asked)
 
     def _may_raise(self, at: int, before: State, after: State) -> None:
         if not self.exits.catches:

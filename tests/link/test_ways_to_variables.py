@@ -66,3 +66,12 @@ def test_what_others_may_have_changed_is_not_told_as_it_was(workspace: Any, body
         assert all(how != "folded" for _, how in found)
     else:
         assert found == {(f"/{expected}", "folded")}
+
+
+def test_rounds_behind_one_that_raises_are_not_told(workspace: Any) -> None:
+    """A call that raises ends the loop, though nobody handles that."""
+    body = 'for (int i = 0; i < 4; ++i) { pub("n" + std::to_string(i)); failing(i); }'
+    failing = 'inline int failing(int n) { if (n == 1) { throw std::runtime_error("x"); } return n; }\nclass Demo'
+    source = NODE.format(body=body).replace("class Demo", failing)
+    package = workspace.package({"src/d.cpp": source, "CMakeLists.txt": "add_executable(d src/d.cpp)"})
+    assert sorted(entry.name for entry in package.interfaces() if entry.role == "publisher") == ["/n0", "/n1"]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Set
+from functools import cached_property
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
@@ -15,13 +17,15 @@ if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
 
+_ASSIGNMENT: Final = "operator="
+
+
 class OwnCopies:
     """Tells which objects are copied so; each class is looked at once."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._copying: dict[Cls, bool] = {}
-        self._assigning: dict[Cls, bool] = {}
 
     def given(self, name: Expr, whole: Bound, func: Func) -> Bound:
         """Return what makes the object in a variable that is given one: a reference is that one itself."""
@@ -39,31 +43,33 @@ class OwnCopies:
         cls = self._class_of(whole.expr, whole.env)
         if cls is None or not self._copies(cls):
             return whole
+        helds = {held for way in self.folder.flow.ways(whole.expr, whole.env) for held in way}
+        if any(held.expr is not None and pointed(held.expr) for held in helds):
+            return whole
         return Bound(Call(Name(cls.fact.name), (whole.expr,)), whole.env)
 
     def is_assigned(self, target: Expr | None, env: Env) -> bool:
         """Tell whether the class of an object says what an assignment to it does."""
-        if "operator=" not in self.folder.program.functions or not isinstance(target, Name | Member):
+        if not self._assigning or not isinstance(target, Name | Member):
             return False
-        cls = self._class_of(target, env)
-        if cls is None:
-            return False
-        known = self._assigning.get(cls)
-        if known is None:
-            lineage = self.folder.program.ancestry(cls)
-            named = [method for entry in lineage for method in entry.methods if method.fact.name == "operator="]
-            known = self._assigning[cls] = any(map(_is_own, named))
-        return known
+        last = target.id if isinstance(target, Name) else target.name
+        written = self.folder.scope.declared_type(last, env) if not isinstance(target, Member) else ""
+        written = written or self.folder.objects.type_of(target, env)
+        named = by_value(written.removesuffix("&").strip()) and plain(written).rpartition("::")[2] in self._assigning
+        cls = self.folder.objects.class_written(written, env) if named else None
+        return cls is not None and any(each.fact.name == _ASSIGNMENT and _is_own(each) for each in cls.methods)
+
+    @cached_property
+    def _assigning(self) -> Set[str]:
+        """The names of the classes that say what an assignment does."""
+        named = self.folder.program.functions.get(_ASSIGNMENT, ())
+        return frozenset(each.cls.fact.name for each in named if each.cls is not None and _is_own(each))
 
     def _class_of(self, expr: Name | Member, env: Env) -> Cls | None:
-        """The class of an object that a variable or field is, behind no pointer."""
+        """The class of an object that a variable or field is, behind no pointer that is declared."""
         written = self.folder.objects.type_of(expr, env)
-        if not written or not by_value(written.removesuffix("&").strip()):
-            return None
-        helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
-        if any(held.expr is not None and pointed(held.expr) for held in helds):
-            return None
-        return self.folder.objects.class_written(written, env)
+        by_itself = bool(written) and by_value(written.removesuffix("&").strip())
+        return self.folder.objects.class_written(written, env) if by_itself else None
 
     def _copies(self, cls: Cls) -> bool:
         known = self._copying.get(cls)
