@@ -17,6 +17,9 @@ struct Ref {{ std::string & s; void set(const std::string & v) {{ s = v; }} }};
 class Kept {{ public: explicit Kept(std::string & s) : s_(s) {{}} void set() {{ s_ = "k"; }} std::string & s_; }};
 class Tuner {{ public: explicit Tuner(Cfg & c) : c_(c) {{}} void go() {{ c_.n = "t"; }} Cfg & c_; }};
 class Reader {{ public: explicit Reader(const Cfg & c) : c_(c) {{}} std::string n() const {{ return c_.n; }} const Cfg & c_; }};
+class All {{
+public: void add(Cfg * c) {{ all_.push_back(c); }} void rename() {{ for (auto * c : all_) c->n = "r"; }} std::vector<Cfg *> all_;
+}};
 struct Own {{
   std::string n = "o"; Own() = default; explicit Own(std::string x) : n(x) {{}}
   Own(const Own & other) : n(other.n + "_copy") {{}}
@@ -49,6 +52,8 @@ ROWS = [
     ("a pointer in a list", 'auto c = std::make_shared<Cfg>(); c->n = "a"; std::vector<std::shared_ptr<Cfg>> v{c}; v[0]->n = "w"; pub(c->n);', OPEN),
     ("a pointer in a list that is a part", 'auto c = std::make_shared<Cfg>(); c->n = "a"; auto * r = c.get(); r->n = "w"; pub(c->n);', OPEN),
     ("a reference that a lambda gives", 'std::string s; auto f = [&s]() -> std::string & { return s += "a"; }; f() += "b"; pub(s);', OPEN),
+    ("an address that a method keeps in a list", "Cfg c; All all; all.add(&c); all.rename(); pub(c.n);", OPEN),
+    ("a default that a constructor leaves", "Own a; pub(a.n);", OPEN),
     ("a copy as the class makes it", 'Own a("x"); Own b = a; pub(b.n);', "x_copy"),
     ("an argument as the class copies it", 'Own a("x"); pub(name_of(a));', "x_copy"),
     ("an element as the class copies it", 'Own a("x"); std::vector<Own> v; v.push_back(a); pub(v[0].n);', "x_copy"),

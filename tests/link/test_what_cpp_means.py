@@ -88,6 +88,7 @@ ROWS = [
     ("a part of a pair", 'std::pair<double, int> p{1, 2}; pub("n" + std::to_string(p.first));', "n1.000000"),
     ("a part of a tuple", 'std::tuple<int, double> p{1, 2}; pub("n" + std::to_string(std::get<1>(p)));', "n2.000000"),
     ("a small number in a list", 'std::vector<uint8_t> v{255}; v[0]++; pub("n" + std::to_string(v[0]));', "n0"),
+    ("a value that is perhaps there", 'std::optional<double> o = 2; pub(std::to_string(o.value_or(1)));', "2.000000"),
     ("a field", 'Rate q; q.hz = 5; pub("n" + std::to_string(q.hz));', "n5.000000"),
     ("a type by another name", 'using Real = double; Real r = 3; pub("n" + std::to_string(r));', "n3.000000"),
     ("what a function gives and gets", 'pub(std::to_string(half(3)));', "1.500000"),

@@ -19,6 +19,7 @@ from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.begun_fields import begun_field
+from ecm_extract.link.folding.constructions import makers_of
 from ecm_extract.link.folding.formats import VALUE_READS, read_as
 from ecm_extract.link.index.module_kinds import class_kind
 from ecm_extract.link.running.env import Env, Instance
@@ -204,7 +205,7 @@ class MemberFolder:
                     place = self._method_env(method, cls, env)
                     values += self.folder.calls.parameter_value(read, default, place.within(None, at))
         making = [place.func for held, place in sources if _makes(held)]
-        if not any(func.is_constructor for func in making):
+        if not any(func.is_constructor for func in making) or self._is_left_alone(cls, making, env):
             values += [each for each in self.initial(name, cls, env) if not making or _may_stay(each)]
         others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
         others = others or list(self.initial(name, cls, env))
@@ -212,6 +213,12 @@ class MemberFolder:
         any_ = self.folder.python_fields.any_is_given(cls)
         open_ = [unknown(name)] if any_ or self._is_others(name, cls) else []
         return alternatives([*(filled or others or values), *open_]) if values else ()
+
+    def _is_left_alone(self, cls: Cls, making: Collection[Func], env: Env) -> bool:
+        """Tell whether a constructor that can have made an object of C++ leaves a member as its default."""
+        makers = (each for each in makers_of(cls) if "declaration" not in each.fact.traits)
+        known = [each for each in makers if self.folder.objects.runs(each, env.made)]
+        return cls.file.language == "cpp" and any(each not in making for each in known)
 
     def _is_others(self, name: str, cls: Cls) -> bool:
         """Tell whether a function that has the object of a node changes its member, before a method asks for it."""

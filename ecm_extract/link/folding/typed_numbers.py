@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 _PAIR: Final = ("first", "second")
 _GET: Final = "std::get"
+_OF_OPTIONAL: Final = frozenset({"value", "value_or"})
 _PLACES: Final = frozenset({("[]", 2), ("*", 1)})
 """Operators, with the number of their operands, that give a place: an element, what a pointer points to."""
 
@@ -67,6 +68,8 @@ class TypedNumbers:
         """The type of an element that a method gives, of a part of a tuple, or of what a function of the tree gives."""
         if isinstance(call.callee, Member) and call.callee.name in ELEMENT_METHODS:
             return element_type(self._type(call.callee.base, env))
+        if isinstance(call.callee, Member) and call.callee.name in _OF_OPTIONAL:
+            return pointee(self._type(call.callee.base, env))
         if call.callee == Name(_GET):
             at = call.types[0] if len(call.args) == len(call.types) == 1 else ""
             return self._part(self._type(call.args[0], env), int(at)) if at.isdecimal() else ""

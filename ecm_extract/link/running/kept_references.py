@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.effects import calls_of
 from ecm_extract.infer.judge import Kept
 from ecm_extract.link.code.handing_on import THIS
 from ecm_extract.link.code.pointed import pointed
@@ -17,6 +18,10 @@ from ecm_extract.link.running.env import Env
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
+
+
+_KEEPING: Final = calls_of("cpp").changing
+"""Methods that put what they get into what they are called on."""
 
 
 class KeptReferences:
@@ -50,6 +55,9 @@ class KeptReferences:
                 member = _member(statement.target)
                 if member in func.cls.fields and _refers(func.cls.fields[member].type):
                     yield self._changes(member, func.cls)
+        calls = (call for group in func.calls for call in group)
+        kept = (call for call in calls if isinstance(call.callee, Member) and call.callee.name in _KEEPING)
+        yield from (True for call in kept if any(_is_given(name, arg) for arg in call.args))
 
     def _changes(self, name: str, cls: Cls) -> bool:
         return _leads_out(cls.fields[name].type) and self.is_written_through(name, cls)
