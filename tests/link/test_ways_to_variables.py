@@ -18,7 +18,7 @@ class Kept {{ public: explicit Kept(std::string & s) : s_(s) {{}} void set() {{ 
 class Tuner {{ public: explicit Tuner(Cfg & c) : c_(c) {{}} void go() {{ c_.n = "t"; }} Cfg & c_; }};
 class Reader {{ public: explicit Reader(const Cfg & c) : c_(c) {{}} std::string n() const {{ return c_.n; }} const Cfg & c_; }};
 class All {{
-public: void add(Cfg * c) {{ all_.push_back(c); }} void rename() {{ for (auto * c : all_) c->n = "r"; }} std::vector<Cfg *> all_;
+public: void add(Cfg * c, Cfg * other = nullptr) {{ all_.push_back(c); all_.push_back(other); }} void rename() {{ for (auto * c : all_) c->n = "r"; }} std::vector<Cfg *> all_;
 }};
 struct Own {{
   std::string n = "o"; Own() = default; explicit Own(std::string x) : n(x) {{}}

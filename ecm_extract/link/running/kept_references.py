@@ -37,15 +37,16 @@ class KeptReferences:
         cls = self.folder.objects.class_written(made, env) if made else None
         if cls is None:
             method = self.folder.flow.target(call, env.func, env.at) if isinstance(call.callee, Member) else None
-            return self._by_function(method) if method is not None and method.cls is not None else ()
+            return self._by_function(method, call) if method is not None and method.cls is not None else ()
         maker = self.folder.objects.constructor(cls, len(call.args))
         if maker is not None:
-            return [kept for kept in self._by_function(maker) if kept.at < len(call.args)]
+            return self._by_function(maker, call)
         fields = enumerate(cls.fact.fields[: len(call.args)])
         return [Kept(at, self._changes(field.name, cls)) for at, field in fields if _refers(field.type)]
 
-    def _by_function(self, func: Func) -> Sequence[Kept]:
-        referring = [(at, entry.name) for at, entry in enumerate(func.fact.params) if _refers(entry.type)]
+    def _by_function(self, func: Func, call: Call) -> Sequence[Kept]:
+        given = func.fact.params[: len(call.args)]  # others have their defaults
+        referring = [(at, entry.name) for at, entry in enumerate(given) if _refers(entry.type)]
         return [Kept(at, changes) for at, name in referring for changes in self._keeps(name, func)]
 
     def _keeps(self, name: str, func: Func) -> Iterator[bool]:
