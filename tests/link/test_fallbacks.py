@@ -42,6 +42,11 @@ ROWS = [
     ('if (!pnh_.getParam("p", member_)) { ROS_BREAK(); }', "integer", None),
     ('if (!pnh_.getParam("p", member_)) { throw Unset(); }', "integer", None),
     ('bool on{true}; pnh_.getParam("p", on);', "bool", True),
+    ('pnh_.getParam("p", this->member_); this->member_ = 9;', "integer", 2),
+    ('bool off = true; if (pnh_.getParam("p", off)) off = !off;', "bool", None),
+    ('bool off = true; if (pnh_.getParam("p", off)) { ROS_INFO("set"); off = !off; }', "bool", None),
+    ('if (!pnh_.getParam("p", text_)) { text_ = "a.b"; } else { text_ = "a." + text_; }', "string", None),
+    ('int n = 3; if (pnh_.getParam("p", n)) { if (n < 0) n = 3; }', "integer", 3),
 ]
 
 
@@ -50,6 +55,47 @@ def test_what_a_variable_holds_is_the_default(workspace: Any, body: str, kind: s
     """`if (!getParam(x)) x = 5;` and a value given before are defaults; what may have happened otherwise is none."""
     found = workspace.package({"src/d.cpp": TEXT.format(body=body)}, ros=1).only("parameter")
     assert (found.type, found.default) == (kind, default)
+
+
+HOSTED = """
+#include <ros/ros.h>
+class Demo : public {base} {{
+ public:
+  void onInit() {{ pnh_ = getPrivateNodeHandle(); {begin} }}
+  void prepare() {{ given_ = 4; read(); }}
+  void read() {{ {read} }}
+ private:
+  ros::NodeHandle pnh_;
+  int given_, after_, begun_ = 2;
+}};
+PLUGINLIB_EXPORT_CLASS(Demo, nodelet::Nodelet)
+"""
+LEFT = [
+    ("prepare();", 'pnh_.getParam("p", given_);', 4),
+    ("prepare();", 'if (pnh_.getParam("p", given_)) { if (given_ < 0) given_ = 4; }', 4),
+    ("prepare(); given_ = 5; read();", 'pnh_.getParam("p", given_);', None),
+    ("if (ready()) given_ = 3; read();", 'pnh_.getParam("p", given_);', None),
+    ("read(); after_ = 6;", 'pnh_.getParam("p", after_);', None),
+    ('pnh_.getParam("p", this->after_); this->after_ = 6;', "", None),
+    ('pnh_.getParam("p", this->begun_); this->begun_ = 6;', "", None),
+    ('if (pnh_.getParam("p", this->after_)) { warn(); } this->after_ = 6;', "", None),
+]
+
+
+@pytest.mark.parametrize(("begin", "read", "default"), LEFT, ids=[f"{row[0]} {row[1]}" for row in LEFT])
+def test_what_callers_left_in_a_member_is_the_default(
+    workspace: Any, begin: str, read: str, default: int | None
+) -> None:
+    """What all callers give a member before they call who reads is the default; what is given later is none."""
+    text = HOSTED.format(base="nodelet::Nodelet", begin=begin, read=read)
+    found = workspace.package({"src/d.cpp": text}, ros=1).only("parameter")
+    assert found.default == default
+
+
+def test_what_an_unknown_caller_may_have_left_is_no_default(workspace: Any) -> None:
+    """A base that nobody sees may call the method that reads."""
+    text = HOSTED.format(base="unseen::Base", begin="prepare();", read='pnh_.getParam("p", given_);')
+    assert workspace.package({"src/d.cpp": text}, ros=1).only("parameter").default is None
 
 
 HELPERS = [

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
-from ecm_parsers.source.flow import Branch, steps
+from ecm_parsers.source.flow import Block, Branch, Switch, statements, steps
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.walk import names_in
+from ecm_extract.link.code.walk import children, names_in
 
 
 def returned_instead(call: Invocation, out: Expr | None) -> Expr | None:
@@ -73,6 +75,34 @@ def goes_on(call: Invocation) -> bool:
     """Tell whether a function goes on where the parameter of a condition is not set, as if nobody had asked."""
     asked = (step for step in steps(call.func.fact.flow) if isinstance(step, Branch))
     return is_denied(call) and any(step.test == call.statement.value and not step.then for step in asked)
+
+
+def is_made_over(call: Invocation, out: Expr) -> bool:
+    """Tell whether a variable is given something made of it where the parameter is set: `if (read(x)) x = !x;`.
+
+    What it holds where nothing is read is then not what somebody would set.
+    """
+    body = call.func.fact.body
+    where_set = [at for block in _where_set(call) for at in statements(block)]
+    return any(body[at].target == out and any(expr == out for expr in _within(body[at].value)) for at in where_set)
+
+
+def _where_set(call: Invocation) -> Iterator[Block]:
+    """Yield what runs where the condition that reads a parameter finds it set."""
+    for step in steps(call.func.fact.flow):
+        if isinstance(step, Branch) and step.test == call.statement.value:
+            yield step.other if is_denied(call) else step.then
+        elif isinstance(step, Switch):
+            yield from (case.body for case in step.cases if case.tests == (call.statement.value,))
+
+
+def _within(expr: Expr | None) -> Iterator[Expr]:
+    """Yield an expression with all of its parts."""
+    pending = [expr] if expr is not None else []
+    while pending:
+        part = pending.pop()
+        yield part
+        pending += children(part)
 
 
 def _returns_only(call: Invocation, out: Expr) -> bool:

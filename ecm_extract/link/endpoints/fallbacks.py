@@ -5,15 +5,20 @@ ROS 1 writes `if (!nh.getParam("rate", rate)) rate = 10.0;`, or gives the variab
 
 from __future__ import annotations
 
+from typing import Final
+
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.declaring.handed_instead import handed_instead
-from ecm_extract.link.declaring.instead import assigned_instead, goes_on, is_denied, returned_instead
+from ecm_extract.link.declaring.instead import assigned_instead, goes_on, is_denied, is_made_over, returned_instead
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Env
+
+_AS_FOUND: Final = frozenset({"given", "shared", "made", "entered"})
+"""How a function has what it gave nothing itself (see `held`)."""
 
 
 def fallback(site: Site, at: int, folder: Folder) -> Expr | None:
@@ -22,6 +27,8 @@ def fallback(site: Site, at: int, folder: Folder) -> Expr | None:
     instead = returned_instead(site.call, out)
     if instead is not None or site.form.default or not isinstance(out, Name | Member):
         return instead
+    if is_made_over(site.call, out):
+        return None
     if goes_on(site.call):
         return _held_before(out, site.env, folder)
     if is_denied(site.call):
@@ -31,16 +38,51 @@ def fallback(site: Site, at: int, folder: Folder) -> Expr | None:
 
 
 def _held_before(out: Name | Member, env: Env, folder: Folder) -> Expr | None:
-    """What the variable was made with: a local in the same function, a member by its class or constructor."""
+    """What the variable was made with: by the function itself, of a member by its class, constructor or callers."""
     if isinstance(out, Member) and out.base != Name("this"):
         return None
-    if isinstance(out, Name) and folder.scope.locals_of(env.func).get(out.id):
-        return out if folder.scope.is_certain(out.id, env) else None
+    ways = [held for helds in folder.flow.ways(out, env) for held in helds]
+    if ways and all(held.how not in _AS_FOUND for held in ways):
+        return out
+    key = folder.flow.effects(env.func).key(out)
+    if isinstance(out, Name) and not key.startswith(".") and folder.scope.locals_of(env.func).get(out.id):
+        return None
+    if all(held.how in {"given", "entered"} for held in ways) and _is_left_by_callers(key, env, folder):
+        return out
     own = (
         held for held in folder.origins.of(out, env) if held.env is not None and not _is_stated(held, out, env, folder)
     )
-    given = (held.env.func for held in own if held.env is not None)
-    return out if all(func.is_constructor or func is env.func for func in given) else None
+    return out if all(_is_first(held, env) for held in own) else None
+
+
+def _is_first(held: Held, env: Env) -> bool:
+    """Tell whether a variable was given something by a constructor, or by no more than reads of the function at hand.
+
+    What the function gives it otherwise is not before the read, or not on every way.
+    """
+    func = held.env.func if held.env is not None else None
+    return func is not None and (func.is_constructor or (func is env.func and held.how == "read"))
+
+
+def _is_left_by_callers(key: str, env: Env, folder: Folder) -> bool:
+    """Tell whether all callers of a method are known, and each gave a member something on every way before."""
+    entered = folder.states.entered(key, env)
+    pending = [(entered, env)] if entered is not None else []
+    asked = {env.func}
+    while pending:
+        held, place = pending.pop()
+        place = held.env or place
+        if held.how == "given":
+            before = folder.states.entered(key, place) if place.func not in asked else None
+            asked.add(place.func)
+            if before is None:
+                return False
+            pending.append((before, place))
+        elif held.how == "entered":
+            pending += [(each, place) for each in held.before]
+        elif held.how in _AS_FOUND:
+            return False
+    return entered is not None
 
 
 def _is_stated(held: Held, out: Expr, env: Env, folder: Folder) -> bool:
