@@ -49,6 +49,11 @@ def by_value(written: str) -> bool:
     return named and pointee(text) == text and _WITHIN_TEMPLATE.search(text) is None
 
 
+def is_pointer(last: str) -> bool:
+    """Tell whether the last name of a type is that of a smart pointer, or of what may be none."""
+    return last in _POINTERS
+
+
 @lru_cache(maxsize=MAX_SPELLINGS)
 def pointee(written: str) -> str:
     """Return the class that a type's objects are of: through smart pointers and `::SharedPtr` aliases."""

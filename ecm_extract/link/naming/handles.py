@@ -8,7 +8,7 @@ from typing import Final, NamedTuple
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.spelling import by_value, last_name, plain, pointee
+from ecm_extract.link.code.spelling import by_value, is_pointer, last_name, plain, pointee
 from ecm_extract.link.code.texts import is_text
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.folding.fold import Folder
@@ -190,7 +190,7 @@ class Handles:
             return self._new_node(call.args, env)
         if last in carriers() and call.args:
             return self._known(call.args[0], env, depth + 1)
-        if last in _SAME:
+        if last in _SAME or (len(call.args) == 1 and _is_pointer(last)):
             return self._known(call.args[0] if call.args else call.receiver, env, depth + 1)
         return self._returned(call, env, depth)
 
@@ -272,6 +272,11 @@ def _makes_handle(call: Invocation) -> bool:
     """Tell whether a declaration makes a handle: `ros::NodeHandle nh(...)`."""
     written = call.statement.type if call.statement.kind == "let" else ""
     return call.made and last_name(plain(pointee(written))) in {"NodeHandle", "NodeHandlePtr"}
+
+
+def _is_pointer(last: str) -> bool:
+    """Tell whether a class makes pointers to handles: `shared_ptr<ros::NodeHandle>(new ...)`, `NodeHandlePtr(...)`."""
+    return is_pointer(last) or last in {f"{name}Ptr" for name in ("NodeHandle", *carriers())}
 
 
 def _label(expr: Expr | None) -> str:

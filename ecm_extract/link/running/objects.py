@@ -12,7 +12,7 @@ from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.code.overloads import NO, is_countable, score
 from ecm_extract.link.code.pointed import pointed as pointed_class
-from ecm_extract.link.code.spelling import last_name, plain, pointee, template_arguments
+from ecm_extract.link.code.spelling import is_pointer, last_name, plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.arguments import bind
@@ -114,7 +114,7 @@ class Objects:
             last = expr.callee.id.rsplit("::", 1)[-1]
             if pointed_class(expr):
                 return pointed_class(expr)
-            if last in {"dynamic_pointer_cast", "static_pointer_cast"} and expr.types:
+            if expr.types and (last in {"dynamic_pointer_cast", "static_pointer_cast"} or is_pointer(last)):
                 return expr.types[0]
             if last in HANDLES_OF_NODELETS:
                 return "ros::NodeHandle"
