@@ -45,6 +45,7 @@ class Demo(Node):
 PY1 = """#!/usr/bin/env python
 import rospy
 import actionlib
+import smach_ros
 from std_msgs.msg import String
 from std_srvs.srv import SetBool
 from move_base_msgs.msg import MoveBaseAction
@@ -100,6 +101,8 @@ ROWS = [
     ("cpp1", 'using Text = std_msgs::String; auto p = nh.advertise<Text>("chatter", 1);', "publisher", "/chatter", "std_msgs/msg/String"),
     ("cpp1", 'Server server(nh, "move", false);', "action_server", "/move", "move_base_msgs/action/MoveBase"),
     ("cpp1", 'BOOST_FOREACH(const Item & item, items) { item.pub = nh.advertise<std_msgs::String>("chatter", 5); }', "publisher", "/chatter", "std_msgs/msg/String"),
+    ("cpp1", 'camera_info_manager::CameraInfoManager m(nh, "left");', "service_server", "/set_camera_info", "sensor_msgs/srv/SetCameraInfo"),
+    ("cpp1", 'auto m = boost::make_shared<camera_info_manager::CameraInfoManager>(pnh);', "service_server", "/demo/set_camera_info", "sensor_msgs/srv/SetCameraInfo"),
     ("cpp1", 'double rate; pnh.param("rate", rate, 10.0);', "parameter", "/demo/rate", "double"),
     ("cpp1", 'std::string frame; nh.getParam("frame", frame);', "parameter", "/frame", "string"),
     ("cpp2", 'auto c = std::make_shared<nav2_util::ServiceClient<std_srvs::srv::SetBool>>("set", shared_from_this());', "service_client", "/set", "std_srvs/srv/SetBool"),
@@ -121,6 +124,10 @@ ROWS = [
     ("py1", "act = actionlib.SimpleActionServer('move', MoveBaseAction, auto_start=False)", "action_server", "/move", "move_base_msgs/action/MoveBase"),
     ("py1", "act = actionlib.SimpleActionClient('move', MoveBaseAction)", "action_client", "/move", "move_base_msgs/action/MoveBase"),
     ("py1", "rate = rospy.get_param('~rate', 10)", "parameter", "/demo/rate", "integer"),
+    ("py1", "w = smach_ros.ActionServerWrapper('move', MoveBaseAction, wrapped_container=sm)", "action_server", "/move", "move_base_msgs/action/MoveBase"),
+    ("py1", "s = smach_ros.SimpleActionState('move', MoveBaseAction, goal_slots=['x'])", "action_client", "/move", "move_base_msgs/action/MoveBase"),
+    ("py1", "s = smach_ros.ServiceState('set', SetBool, request=True)", "service_client", "/set", "std_srvs/srv/SetBool"),
+    ("py1", "s = smach_ros.MonitorState('~chatter', String, print)", "subscriber", "/demo/chatter", "std_msgs/msg/String"),
 ]  # fmt: skip
 
 
