@@ -183,6 +183,14 @@ UNKNOWN = [
     ('nh->param("rate", rate_, 10.0)', ["double"]),
     ('nh->param("rate", 10.0)', []),
     ("nh->param(key, rate_, 10.0)", []),
+    ('nh->getParam("rate", rate_)', ["double"]),
+    ('space().getParam("rate", rate_)', ["double"]),
+    ('this->template space<int>().getParam("rate", rate_)', ["double"]),
+    ("nh->getParam(key, rate_)", []),
+    ('nh->getParam("rate")', []),
+    ('opened->getParam("rate", rate_)', []),
+    ('own_->getParam("rate", rate_)', []),
+    ('lib::open().getParam("rate", rate_)', []),
 ]
 
 
@@ -190,8 +198,10 @@ UNKNOWN = [
 def test_an_unknown_receiver_is_not_what_it_is_called(workspace: Any, call: str, kinds: list[str]) -> None:
     """Only what the call itself says counts, as the message type in its template; the name of the object does not."""
     text = (
-        "class A : public outside::Nodelet { double rate_; void seen(const std_msgs::StringConstPtr & m) {}"
-        f" void onInit() {{ auto a = {call}; }} }}; PLUGINLIB_EXPORT_CLASS(A, nodelet::Nodelet)"
+        "class A : public outside::Nodelet { double rate_; lib::Device * own_;"
+        " void seen(const std_msgs::StringConstPtr & m) {}"
+        f" void onInit() {{ auto opened = lib::open(); auto a = {call}; }} }};"
+        " PLUGINLIB_EXPORT_CLASS(A, nodelet::Nodelet)"
     )
     found = workspace.package({"src/a.cpp": text}, ros=1).interfaces()
     assert [entry.type for entry in found] == kinds

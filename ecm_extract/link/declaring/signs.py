@@ -19,8 +19,10 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Env
 
 _Place = Cls | Func
-_READING: Final = 3
-"""Arguments of a call that names a parameter, the variable that takes it, and what that is otherwise."""
+_WITHOUT: Final = 2
+"""Arguments of a call that names a parameter, and the variable that takes it."""
+_WITH_OTHERWISE: Final = 3
+"""The same, with what the variable is otherwise: of an object of any unknown type that says enough."""
 
 
 class Signs:
@@ -41,7 +43,9 @@ class Signs:
         return self._shows(form, call, env) or not self._classes(call, env).isdisjoint(form.receiver)
 
     def _shows(self, form: Form, call: Invocation, env: Env) -> bool:
-        if (call.types and "template:" in form.type) or _reads(form, call):
+        if (call.types and "template:" in form.type) or _reads(form, call, _WITH_OTHERWISE):
+            return True
+        if _reads(form, call, _WITHOUT) and self._is_given_by_base(call):
             return True
         statement = call.statement
         value = statement.value
@@ -50,6 +54,19 @@ class Signs:
         written = statement.type or self.folder.objects.type_of(statement.target, env)
         meant = self.folder.program.alias(plain(written), env.func.file, env.scope) or written
         return plain(meant) == form.gives
+
+    def _is_given_by_base(self, call: Invocation) -> bool:
+        """Whether a receiver is a member of a base outside of the tree, or what a method of that gives."""
+        receiver = call.receiver.callee if isinstance(call.receiver, Call) else call.receiver
+        name, own = _variable(receiver), self.folder.nesting.object_of(call.func)
+        given = name in self.folder.flow.effects(call.func).own or name in call.func.given
+        is_own = own is not None and name and "::" not in name and not given
+        lineage = self.folder.program.ancestry(own) if own is not None and is_own else ()
+        if any(name in entry.fields or any(method.fact.name == name for method in entry.methods) for entry in lineage):
+            return False
+        program = self.folder.program
+        bases = ((base, entry) for entry in lineage for base in entry.fact.bases)
+        return any(program.class_named(plain(base), entry.file, entry.fact.scope) is None for base, entry in bases)
 
     def _classes(self, call: Invocation, env: Env) -> frozenset[str]:
         """The classes of which a receiver is by what the other calls on it show."""
@@ -85,11 +102,11 @@ def _variable(expr: Expr | None) -> str:
     return expr.id if isinstance(expr, Name) else ""
 
 
-def _reads(form: Form, call: Invocation) -> bool:
-    """Whether a call reads what a text names into a variable, with a third argument for where nobody set it."""
-    if not (form.row.value and form.out and form.default) or len(call.args) != _READING:
+def _reads(form: Form, call: Invocation, count: int) -> bool:
+    """Whether a call of so many arguments reads what a text names into a variable."""
+    if not (form.row.value and form.out) or bool(form.default) != (count == _WITH_OTHERWISE) or len(call.args) != count:
         return False
-    name, out, _ = call.args
+    name, out = call.args[:2]
     return isinstance(name, Text) and isinstance(out, Name | Member)
 
 
