@@ -53,3 +53,35 @@ if __name__ == '__main__':
     entry = workspace.package({"scripts/demo.py": source}, 1).only("subscriber")
     assert entry.qos is not None
     assert entry.qos.depth == 3
+
+
+ADDED = """#!/usr/bin/env python
+import sys
+import rospy
+name = {begin}
+
+def read():
+    global name
+    rospy.get_param("~cost_" + name + "/x", 5)
+
+def give(value):
+    global name
+    name = {given}
+
+rospy.init_node("demo")
+give(sys.argv[1])
+read()
+"""
+SUMS = [
+    ("None", "value", ["/demo/cost_{item}/x"]),
+    ("None", "'left'", ["/demo/cost_left/x"]),
+    ("'left'", "value", ["/demo/cost_left/x", "/demo/cost_{item}/x"]),
+    ("None", "unicode(value)", ["/demo/cost_{unicode}/x"]),
+]
+
+
+@pytest.mark.parametrize(("begin", "given", "names"), SUMS, ids=[f"{row[0]} {row[1]}" for row in SUMS])
+def test_a_text_stays_beside_what_may_be_none(workspace: Any, begin: str, given: str, names: list[str]) -> None:
+    """Whoever adds `None` to a text raises: what is left is the text with what else the variable may hold."""
+    found = workspace.package({"scripts/demo.py": ADDED.format(begin=begin, given=given)}, ros=1).interfaces()
+    assert sorted(entry.name for entry in found if entry.role == "parameter") == names

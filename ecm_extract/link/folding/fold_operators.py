@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import product
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Name, Op, Text
 
-from ecm_extract.infer.compute import UNKNOWN, formatted, operate, streamed
+from ecm_extract.infer.compute import NULL, UNKNOWN, formatted, operate, streamed
 from ecm_extract.link.folding import formats
 from ecm_extract.link.folding.buffers import cut
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import (
+    MAX_ALTERNATIVES,
     Hole,
     Value,
     alternatives,
@@ -66,6 +68,19 @@ class OperatorFolder:
         python = env.func.file.language == "python"
         if not python and any(value.data is None and _has_text(value) for group in groups for value in group):
             return (unknown("value"),)  # a number that is added to a text moves where it begins, or is a character
+        pairs = list(product(*groups))
+        if not python or len(pairs) > MAX_ALTERNATIVES:
+            return self._computed(groups, python)
+        made = [self._pair(*pair) for pair in pairs if not any(value.data is NULL for value in pair)]
+        return alternatives(value for values in made for value in values) or (unknown("value"),)
+
+    def _pair(self, left: Value, right: Value) -> tuple[Value, ...]:
+        """One value and another: a text stands beside whatever is no number. Who adds `None` to anything raises."""
+        is_text = any(_has_text(value) or not value.parts for value in (left, right))
+        are_texts = is_text and left.data is None and right.data is None
+        return joined([(left,), (right,)]) if are_texts else self._computed([(left,), (right,)], python=True)
+
+    def _computed(self, groups: list[tuple[Value, ...]], python: bool) -> tuple[Value, ...]:
         return self.folder.combined(groups, lambda data: operate("+", data[0], data[1], python), "value")
 
     def _written(self, values: tuple[Value, ...], env: Env) -> tuple[Value, ...]:
