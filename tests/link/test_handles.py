@@ -183,14 +183,6 @@ UNKNOWN = [
     ('nh->param("rate", rate_, 10.0)', ["double"]),
     ('nh->param("rate", 10.0)', []),
     ("nh->param(key, rate_, 10.0)", []),
-    ('nh->getParam("rate", rate_)', ["double"]),
-    ('space().getParam("rate", rate_)', ["double"]),
-    ('this->template space<int>().getParam("rate", rate_)', ["double"]),
-    ("nh->getParam(key, rate_)", []),
-    ('nh->getParam("rate")', []),
-    ('opened->getParam("rate", rate_)', []),
-    ('own_->getParam("rate", rate_)', []),
-    ('lib::open().getParam("rate", rate_)', []),
 ]
 
 
@@ -198,13 +190,37 @@ UNKNOWN = [
 def test_an_unknown_receiver_is_not_what_it_is_called(workspace: Any, call: str, kinds: list[str]) -> None:
     """Only what the call itself says counts, as the message type in its template; the name of the object does not."""
     text = (
-        "class A : public outside::Nodelet { double rate_; lib::Device * own_;"
-        " void seen(const std_msgs::StringConstPtr & m) {}"
-        f" void onInit() {{ auto opened = lib::open(); auto a = {call}; }} }};"
-        " PLUGINLIB_EXPORT_CLASS(A, nodelet::Nodelet)"
+        "class A : public outside::Nodelet { double rate_; void seen(const std_msgs::StringConstPtr & m) {}"
+        f" void onInit() {{ auto a = {call}; }} }}; PLUGINLIB_EXPORT_CLASS(A, nodelet::Nodelet)"
     )
     found = workspace.package({"src/a.cpp": text}, ros=1).interfaces()
     assert [entry.type for entry in found] == kinds
+
+
+READS = [
+    ('if (!nh->getParam("rate", rate_)) { rate_ = 2.0; }', ["double"]),
+    ('if (space().getParam("rate", rate_)) { warn(); }', ["double"]),
+    ('if (!this->template space<int>().getParam("rate", rate_)) { return; }', ["double"]),
+    ('nh->getParam("rate", rate_);', []),
+    ("if (!nh->getParam(key, rate_)) { return; }", []),
+    ('if (!opened->getParam("rate", rate_)) { return; }', []),
+    ('if (!own_->getParam("rate", rate_)) { return; }', []),
+    ('if (!lib::open().getParam("rate", rate_)) { return; }', []),
+]
+
+
+@pytest.mark.parametrize(("read", "kinds"), READS, ids=[row[0] for row in READS])
+def test_what_an_unseen_base_gives_is_a_handle_where_a_condition_reads_a_parameter(
+    workspace: Any, read: str, kinds: list[str]
+) -> None:
+    """A condition that reads what a text names into a variable says enough of what only a base can have made."""
+    text = (
+        "class A : public outside::Nodelet { double rate_; lib::Device * own_;"
+        f" void onInit() {{ auto opened = lib::open(); {read} }} }};"
+        " PLUGINLIB_EXPORT_CLASS(A, nodelet::Nodelet)"
+    )
+    found = workspace.package({"src/a.cpp": text}, ros=1).interfaces()
+    assert [entry.type for entry in found if entry.role == "parameter"] == kinds
 
 
 NAMESPACES = [

@@ -77,6 +77,11 @@ def goes_on(call: Invocation) -> bool:
     return is_denied(call) and any(step.test == call.statement.value and not step.then for step in asked)
 
 
+def is_asked(call: Invocation) -> bool:
+    """Tell whether a read is a condition: `if (read(x))`, `if (!read(x))`."""
+    return next(_where_set(call), None) is not None
+
+
 def is_made_over(call: Invocation, out: Expr) -> bool:
     """Tell whether a variable is given something made of it where the parameter is set: `if (read(x)) x = !x;`.
 

@@ -15,12 +15,13 @@ from ecm_extract.link.code.calls import Invocation, invocations
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.forms import Form, FormTable
+from ecm_extract.link.declaring.instead import is_asked
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Env
 
 _Place = Cls | Func
 _WITHOUT: Final = 2
-"""Arguments of a call that names a parameter, and the variable that takes it."""
+"""Arguments of a call that names a parameter, and the variable that takes it; a condition asks whether it is there."""
 _WITH_OTHERWISE: Final = 3
 """The same, with what the variable is otherwise: of an object of any unknown type that says enough."""
 
@@ -45,7 +46,7 @@ class Signs:
     def _shows(self, form: Form, call: Invocation, env: Env) -> bool:
         if (call.types and "template:" in form.type) or _reads(form, call, _WITH_OTHERWISE):
             return True
-        if _reads(form, call, _WITHOUT) and self._is_given_by_base(call):
+        if _reads(form, call, _WITHOUT) and is_asked(call) and self._is_given_by_base(call):
             return True
         statement = call.statement
         value = statement.value
