@@ -172,9 +172,9 @@ class Folder:
     def _by_kind(self, expr: Expr, env: Env) -> tuple[Value, ...]:
         match expr:
             case Name():
-                return self.overridden.without(self.names.name(expr, env), env)
+                return self.overridden.without(self.names.name(expr, env), expr, env)
             case Member():
-                return self.overridden.without(self.members.member(expr, env), env)
+                return self.overridden.without(self.members.member(expr, env), expr, env)
             case Call():
                 return self.calls.call(expr, env)
             case Op():

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
 from ecm_extract.infer.held import State
 from ecm_extract.infer.routes import Gate
@@ -18,54 +18,62 @@ if TYPE_CHECKING:
 
 
 class Overridden:
-    """Takes defaults back: behind `if (n != 0)` a parameter that is 0 by default is anything else."""
+    """Takes defaults back: behind `if (n != 0)` a variable that a parameter makes 0 by default is anything else."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
 
-    def without(self, values: tuple[Value, ...], env: Env) -> tuple[Value, ...]:
-        """Return values at a place, open where they are the default of a parameter that somebody must have set."""
-        asked = {parameter for value in values for parameter in _parameters(value)}
-        names = self._at(env, asked) if asked else frozenset()
+    def without(self, values: tuple[Value, ...], expr: Name | Member, env: Env) -> tuple[Value, ...]:
+        """Return the values of a variable at a place, open where they are defaults that branches on it rule out."""
+        asked = frozenset(parameter for value in values for parameter in _parameters(value))
+        key = self.folder.flow.effects(env.func).key(expr) if asked else ""
+        names = self._at(key, env) & asked if key else frozenset[str]()
         return tuple([opened(value, names) for value in values]) if names else values
 
-    def _at(self, env: Env, asked: Set[str]) -> Set[str]:
-        """Those of some parameters that are set on every way to a place."""
-        found = [self._on(state, asked) for state in self.folder.flow.states(env)]
+    def _at(self, key: str, env: Env) -> frozenset[str]:
+        """The parameters of a variable that are set on every way to a place."""
+        found = [self._on(state, key) for state in self.folder.flow.states(env)]
         return frozenset.intersection(*found) if found else frozenset()
 
-    def _on(self, state: State, asked: Set[str]) -> frozenset[str]:
+    def _on(self, state: State, key: str) -> frozenset[str]:
         gates = [(turn.gate, turn.holds) for turn in state.path if turn.gate is not None]
-        return frozenset(name for gate, holds in gates for name in self._set_by(gate, holds, asked))
+        return frozenset(name for gate, holds in gates for name in self._set_by(gate, holds, key))
 
-    def _set_by(self, gate: Gate, holds: bool, asked: Set[str]) -> Set[str]:
-        """The one parameter that a branch asks about, where its default leads to the other side."""
-        names = {
-            name
-            for part in _variables(gate.test)
-            for value in self.folder.fold(part, gate.env)
-            for name in _parameters(value)
-        }
-        if len(names) != 1 or not names <= asked:
-            return frozenset()
-        verdict = self.folder.flow.decisions.of(gate)
-        return names if verdict.holds is None and verdict.likely is (not holds) else frozenset()
+    def _set_by(self, gate: Gate, holds: bool, key: str) -> Iterator[str]:
+        """The parameter behind a variable, where what a branch asks of that alone has its default on the other side."""
+        for test, side in _parts(gate.test, holds):
+            variables = list(_variables(test))
+            effects = self.folder.flow.effects(gate.env.func)
+            if variables and all(effects.key(each) == key for each in variables):
+                values = self.folder.fold(variables[0], gate.env)
+                names = {name for value in values for name in _parameters(value)}
+                proved, likely = self.folder.flow.verdict(test, gate.env)
+                yield from names if len(names) == 1 and proved is None and likely is (not side) else ()
 
 
 def _parameters(value: Value) -> Iterator[str]:
     return (part.parameter for part in value.template if isinstance(part, OfParameter))
 
 
-def _variables(expr: Expr) -> Sequence[Expr]:
-    """The variables in a condition, and the calls that are none on a variable."""
-    found, pending = list[Expr](), [expr]
-    while pending:
-        part = pending.pop()
-        if isinstance(part, Name | Member):
-            found.append(part)
-        elif isinstance(part, Call):
-            found.append(part)
-            pending += [part.callee.base, *part.args] if isinstance(part.callee, Member) else part.args
-        else:
-            pending += children(part)
-    return found
+def _parts(test: Expr, holds: bool) -> Iterator[tuple[Expr, bool]]:
+    """Yield what has to hold, or not to hold, for one side of a branch: all of `a && b`, none of `a || b`."""
+    if isinstance(test, Op) and test.op == "!":
+        yield from _parts(test.operands[0], not holds)
+    elif isinstance(test, Op) and test.op == ("&&" if holds else "||"):
+        for part in test.operands:
+            yield from _parts(part, holds)
+    else:
+        yield test, holds
+
+
+def _variables(expr: Expr) -> Iterator[Expr]:
+    """Yield the variables of a condition; of a call the object and the arguments, and the function where it has none."""
+    if isinstance(expr, Name | Member):
+        yield expr
+    elif isinstance(expr, Call):
+        inner = [expr.callee.base if isinstance(expr.callee, Member) else expr.callee, *expr.args]
+        for part in inner:
+            yield from _variables(part)
+    else:
+        for part in children(expr):
+            yield from _variables(part)
