@@ -67,7 +67,7 @@ def _parts(test: Expr, holds: bool) -> Iterator[tuple[Expr, bool]]:
 
 
 def _variables(expr: Expr) -> Iterator[Expr]:
-    """Yield the variables of a condition; of a call the object and the arguments, and the function where it has none."""
+    """Yield the variables of a condition; of a call the object, or else the function, and the arguments."""
     if isinstance(expr, Name | Member):
         yield expr
     elif isinstance(expr, Call):
