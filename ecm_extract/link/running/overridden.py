@@ -11,7 +11,7 @@ from ecm_extract.infer.held import State
 from ecm_extract.infer.routes import Gate
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.running.env import Env
-from ecm_extract.link.running.values import OfParameter, Value, opened
+from ecm_extract.link.running.values import Value, opened, parameters_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -25,7 +25,7 @@ class Overridden:
 
     def without(self, values: tuple[Value, ...], expr: Name | Member, env: Env) -> tuple[Value, ...]:
         """Return the values of a variable at a place, open where they are defaults that branches on it rule out."""
-        asked = frozenset(parameter for value in values for parameter in _parameters(value))
+        asked = frozenset(parameter for value in values for parameter in parameters_of(value))
         key = self.folder.flow.effects(env.func).key(expr) if asked else ""
         names = self._at(key, env) & asked if key else frozenset[str]()
         return tuple([opened(value, names) for value in values]) if names else values
@@ -46,13 +46,9 @@ class Overridden:
             effects = self.folder.flow.effects(gate.env.func)
             if variables and all(effects.key(each) == key for each in variables):
                 values = self.folder.fold(variables[0], gate.env)
-                names = {name for value in values for name in _parameters(value)}
+                names = {name for value in values for name in parameters_of(value)}
                 proved, likely = self.folder.flow.verdict(test, gate.env)
                 yield from names if len(names) == 1 and proved is None and likely is (not side) else ()
-
-
-def _parameters(value: Value) -> Iterator[str]:
-    return (part.parameter for part in value.template if isinstance(part, OfParameter))
 
 
 def _parts(test: Expr, holds: bool) -> Iterator[tuple[Expr, bool]]:

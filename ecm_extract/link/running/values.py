@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Iterator, Set
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
@@ -293,6 +293,11 @@ def _template(left: Value, right: Value) -> tuple[str | Hole | OfParameter, ...]
 def set_by(name: str, values: Iterable[Value]) -> tuple[Value, ...]:
     """The same values as those of a ROS parameter that a launch may set."""
     return tuple([value._replace(template=(OfParameter(name, _unset(value)),)) for value in values])
+
+
+def parameters_of(value: Value) -> Iterator[str]:
+    """Yield the parameters that give parts of a value."""
+    return (part.parameter for part in value.template if isinstance(part, OfParameter))
 
 
 def opened(value: Value, names: Set[str]) -> Value:
