@@ -63,7 +63,6 @@ from ecm_extract.link.running.object_states import ObjectStates
 from ecm_extract.link.running.objects import Objects
 from ecm_extract.link.running.origins import Origins
 from ecm_extract.link.running.outside_variables import OutsideVariables
-from ecm_extract.link.running.overridden import Overridden
 from ecm_extract.link.running.parameter_reads import ParameterReads
 from ecm_extract.link.running.part_objects import PartObjects
 from ecm_extract.link.running.python_fields import PythonFields
@@ -153,7 +152,6 @@ class Folder:
         self.kept_references = KeptReferences(self)
         self.python_fields = PythonFields(self)
         self.methods = MethodEffects(self)
-        self.overridden = Overridden(self)
         self.scope.ways = self.flow.ways
 
     def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
@@ -172,9 +170,9 @@ class Folder:
     def _by_kind(self, expr: Expr, env: Env) -> tuple[Value, ...]:
         match expr:
             case Name():
-                return self.overridden.without(self.names.name(expr, env), expr, env)
+                return self.names.name(expr, env)
             case Member():
-                return self.overridden.without(self.members.member(expr, env), expr, env)
+                return self.members.member(expr, env)
             case Call():
                 return self.calls.call(expr, env)
             case Op():

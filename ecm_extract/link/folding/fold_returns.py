@@ -24,7 +24,6 @@ from ecm_extract.link.running.values import (
     Value,
     alternatives,
     demoted,
-    parameters_of,
     unknown,
     without_defaults,
 )
@@ -159,6 +158,4 @@ def _takes(func: Func, kinds: Sequence[str]) -> bool:
 def _beside_joined(values: list[Value]) -> list[Value]:
     """Drop `x` beside `namespace + "/x"`: what a helper joins when it is relative it hands back when it is absolute."""
     joined_texts = {text for value in values if (text := below_namespace(value)) is not None}
-    given = {name for value in values if below_namespace(value) is not None for name in parameters_of(value)}
-    kept = [value for value in values if value.text not in joined_texts or value.text.startswith("/")]
-    return [value for value in kept if value.confidence != "pattern" or value.parameter not in given]
+    return [value for value in values if value.text not in joined_texts or value.text.startswith("/")]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Set
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
@@ -293,26 +293,6 @@ def _template(left: Value, right: Value) -> tuple[str | Hole | OfParameter, ...]
 def set_by(name: str, values: Iterable[Value]) -> tuple[Value, ...]:
     """The same values as those of a ROS parameter that a launch may set."""
     return tuple([value._replace(template=(OfParameter(name, _unset(value)),)) for value in values])
-
-
-def parameters_of(value: Value) -> Iterator[str]:
-    """Yield the parameters that give parts of a value."""
-    return (part.parameter for part in value.template if isinstance(part, OfParameter))
-
-
-def opened(value: Value, names: Set[str]) -> Value:
-    """The same value where some parameters have been set, to what nobody knows."""
-    if not any(isinstance(part, OfParameter) and part.parameter in names for part in value.template):
-        return value
-    template = tuple([_set_to_any(part, names) for part in value.template])
-    parts = [part.default if isinstance(part, OfParameter) else (part,) for part in template]
-    return Value(tuple([each for part in parts for each in part]), "pattern", template)
-
-
-def _set_to_any(part: str | Hole | OfParameter, names: Set[str]) -> str | Hole | OfParameter:
-    if not isinstance(part, OfParameter) or part.parameter not in names:
-        return part
-    return part._replace(default=(Hole(_label(part.parameter.lstrip("~/"))),))
 
 
 def _unset(value: Value) -> tuple[str | Hole, ...]:
