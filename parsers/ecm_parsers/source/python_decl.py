@@ -118,7 +118,7 @@ def _read_class(scan: Scan, node: Node, decorators: list[Node]) -> None:
     )
     methods = [each.name for each in scan.functions[before:] if each.scope == frame.scope]
     imported = Imported.of(scan.imports)
-    if is_remade(made, _metaclass(scan, bases), methods, imported):
+    if is_remade(made, _metaclass(scan, bases), imported):
         made = msgspec.structs.replace(made, traits=(*made.traits, "remade"))
     scan.classes.append(made)
     init = generated_init(made, frame.scope, methods, imported)

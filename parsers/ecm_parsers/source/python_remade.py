@@ -1,12 +1,11 @@
-"""Classes of Python that are not what stands in them: a decorator, a metaclass or a method of theirs may change that.
+"""Classes of Python that are not what stands in them: a decorator or a metaclass may change that.
 
-Source: docs.python.org, "Data model", "Customizing class creation", "Customizing attribute access".
+Source: docs.python.org, "Data model", "Customizing class creation".
 """
 
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Sequence
 from functools import cache
 from importlib.resources import files
 
@@ -19,7 +18,6 @@ from ecm_parsers.source.python_dataclasses import Imported, fills, spelled
 class _Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     decorators: frozenset[str]
     metaclasses: frozenset[str]
-    lookups: frozenset[str]
 
 
 @cache
@@ -28,13 +26,12 @@ def _table() -> _Table:
     return msgspec.convert(tomllib.loads(text), _Table)
 
 
-def is_remade(cls: Class, metaclass: str, methods: Sequence[str], imported: Imported) -> bool:
+def is_remade(cls: Class, metaclass: str, imported: Imported) -> bool:
     """Tell whether attributes of a class and its objects may be others than its body gives them.
 
     Args:
         cls: the class.
         metaclass: what its head names as such, empty for none.
-        methods: the names of its methods.
         imported: what the names of its file mean.
     """
     table = _table()
@@ -42,4 +39,4 @@ def is_remade(cls: Class, metaclass: str, methods: Sequence[str], imported: Impo
     if any(name not in table.decorators and not fills(name) for name in names):
         return True
     made_by = imported.full(metaclass)
-    return bool(made_by and made_by not in table.metaclasses) or not table.lookups.isdisjoint(methods)
+    return bool(made_by) and made_by not in table.metaclasses
