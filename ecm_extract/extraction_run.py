@@ -25,6 +25,7 @@ from ecm_extract.link.declaring.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.link.owning.composition import composition_of
 from ecm_extract.macros.second_reading import read_with_header_macros
+from ecm_extract.macros.undecided import report_undecided
 from ecm_extract.parallel_work import meanwhile
 from ecm_extract.read.reader import Reader
 from ecm_extract.requires.collect import source_requirements
@@ -48,7 +49,9 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         reader = Reader(tree, include_tests, config.extract.exclude, options.cache)
         packages = reader.read(options.jobs, options.progress)
         read_with_header_macros(packages, tree, config.headers)
-        linker = Linker(packages, form_table(config.forms))
+        forms = form_table(config.forms)
+        report_undecided(packages, tree, forms.keys())
+        linker = Linker(packages, forms)
         linker.declare()
         work = partial(source_requirements, linker.program, linker.folder.objects)
         of_sources = meanwhile(work, options.jobs) if options.hub else work

@@ -49,14 +49,14 @@ def read_with_header_macros(packages: Sequence[PackageFacts], tree: Tree, rows: 
     wanted = _wanted(packages, known) if any(_is_concerned(package, known) for package in packages) else {}
     if not wanted:
         return
-    from ecm_parsers.source.cpp import TOLD_OF_MACROS, parse_cpp
+    from ecm_parsers.source.cpp import MACROS_CUT, parse_cpp
 
     for path, data in tree.read_many(list(wanted)):
         found = wanted[path]
         if _may_call(data, found.macros):
             read = parse_cpp(data, found.macros)
             for entry in read.diagnostics:
-                if entry.code in TOLD_OF_MACROS:
+                if entry.code == MACROS_CUT:
                     tree.report(located(path, entry))
             if not any(entry.cut for entry in read.diagnostics):
                 found.package.sources[path] = read.facts

@@ -18,6 +18,7 @@ _WHAT: Final[Mapping[Reason, str]] = {
     "unreadable": "file(s) or folder(s) without permission, or cut off",
     "malformed": "package.xml that cannot be read as one",
     "unjudged": "file(s) beyond what one run of lint judges, or rule(s) that stopped",
+    "undecided": "file(s) that call macros of which a build chooses the definition",
     "excluded": "pattern(s) of `exclude` in ecm.toml",
     "ignored": "folder(s) left out by COLCON_IGNORE, CATKIN_IGNORE or AMENT_IGNORE",
     "link": "link(s) that lead out of the tree",

@@ -10,11 +10,20 @@ from ecm_checker.wire import GAP_REASONS
 from ecm_extract.source_suffixes import CPP
 
 Reason = Literal[
-    "missing", "submodule", "too-large", "unreadable", "malformed", "unjudged", "excluded", "ignored", "link"
+    "missing",
+    "submodule",
+    "too-large",
+    "unreadable",
+    "malformed",
+    "unjudged",
+    "undecided",
+    "excluded",
+    "ignored",
+    "link",
 ]
 """Why something was not read: not in this clone (content, submodule), above a bound, no permission, no well-formed
-manifest; beyond the number that one run judges, or of a rule that stopped; left out because the project asks for it
-(`exclude`, a marker); a link that leads out of the tree."""
+manifest; beyond the number that one run judges, or of a rule that stopped; code that a build chooses; left out
+because the project asks for it (`exclude`, a marker); a link that leads out of the tree."""
 
 REASONS: Final[tuple[Reason, ...]] = get_args(Reason)
 ON_PURPOSE: Final[frozenset[Reason]] = frozenset({"excluded", "ignored", "link"})

@@ -42,11 +42,20 @@ def test_calls_of_macros_of_headers(
     assert [entry.name for entry in package.interfaces() if entry.role == "parameter"] == expected
 
 
-def test_two_headers_that_differ_are_said(workspace: Any) -> None:
-    """Nothing is told of the call, so that this is told."""
-    files = {"src/get.hpp": GET, "src/other.hpp": OTHER}
+LOGS = "#define GET(name, value) std::log::write(#name, value)\n"
+SAID = [
+    ("one of both declares", GET, OTHER, ["cpp-macros"]),
+    ("neither declares", LOGS, LOGS.replace("write", "skip"), []),
+]
+
+
+@pytest.mark.parametrize(("one", "other", "codes"), [row[1:] for row in SAID], ids=[row[0] for row in SAID])
+def test_two_headers_that_differ_are_said(workspace: Any, one: str, other: str, codes: list[str]) -> None:
+    """Nothing is told of the call, so that this is told, and limits what anybody says of the tree."""
+    files = {"src/get.hpp": one, "src/other.hpp": other}
     source = CALL.format(header="get.hpp", call="GET(rate, 10);").replace("int main", '#include "other.hpp"\nint main')
     found = workspace.package({**files, "src/d.cpp": source, "CMakeLists.txt": CMAKE})
     assert [entry.name for entry in found.interfaces() if entry.role == "parameter"] == []
     read = extract(open_tree(workspace.root), Options(jobs=1))
-    assert [each.code for each in read.diagnostics if each.path.endswith("d.cpp")] == ["cpp-macros"]
+    assert [each.code for each in read.diagnostics if each.path.endswith("d.cpp")] == codes
+    assert [each.reason for each in read.unread if each.path.endswith("d.cpp")] == ["undecided"] * len(codes)

@@ -22,10 +22,8 @@ if TYPE_CHECKING:
     from tree_sitter import Tree
 
 MAX_BYTES = 4_000_000
-TOLD_OF_MACROS = frozenset({"cpp-macros-cut", "cpp-macros"})
-"""Codes of what is said of macros."""
-MAX_NAMES = 5
-"""Macros that a diagnostic names."""
+MACROS_CUT = "cpp-macros-cut"
+"""Code of what is said where macros are not put in."""
 
 
 def parse_cpp(data: bytes, brought: Sequence[Replacement] = ()) -> Parsed[SourceFile]:
@@ -53,7 +51,10 @@ def parse_cpp(data: bytes, brought: Sequence[Replacement] = ()) -> Parsed[Source
     written = cpp_text.registrations(data)
     macros = tuple([Macro(name, args, line, reader.namespace_at(line)) for name, args, line in written])
     facts = msgspec.structs.replace(
-        reader.facts(macros), mentions=mentions(tree.root_node, read), exported=expanded.exported
+        reader.facts(macros),
+        mentions=mentions(tree.root_node, read),
+        exported=expanded.exported,
+        undecided=expanded.undecided,
     )
     return Parsed(facts, (*_of_macros(expanded), *_diagnostics(tree)))
 
@@ -61,11 +62,7 @@ def parse_cpp(data: bytes, brought: Sequence[Replacement] = ()) -> Parsed[Source
 def _of_macros(expanded: Expanded) -> Iterator[Diagnostic]:
     if expanded.is_cut:
         message = "More stands for macros than is put in; what they declare is not told. Exclude generated files."
-        yield Diagnostic("warning", "cpp-macros-cut", 0, message, cut=True)
-    if expanded.several:
-        names = b", ".join(expanded.several[:MAX_NAMES]).decode(errors="replace")
-        message = f"Which definition of these macros holds is not known, so what they declare is not told: {names}."
-        yield Diagnostic("info", "cpp-macros", 0, message)
+        yield Diagnostic("warning", MACROS_CUT, 0, message, cut=True)
 
 
 def _diagnostics(tree: Tree) -> tuple[Diagnostic, ...]:

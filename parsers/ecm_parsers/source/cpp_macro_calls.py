@@ -12,7 +12,15 @@ from collections.abc import Mapping, Sequence, Set
 from typing import Final, NamedTuple
 
 from ecm_parsers.source.cpp_directives import directives
-from ecm_parsers.source.cpp_macro_definitions import HINT, Definitions, exported, is_calling, leading, replacement
+from ecm_parsers.source.cpp_macro_definitions import (
+    HINT,
+    Definitions,
+    exported,
+    is_calling,
+    leading,
+    order,
+    replacement,
+)
 from ecm_parsers.source.facts import Replacement
 
 _SKIPPED: Final = (
@@ -45,13 +53,13 @@ class Expanded(NamedTuple):
     Attributes:
         exported: the macros that a file which includes it can call.
         is_cut: more stands for macros than is put in.
-        several: names of macros that may call something, of which it is not known which definition holds.
+        undecided: what macros that it calls, and that may call something, may stand for: which one holds is not known.
     """
 
     data: bytes
     exported: tuple[Replacement, ...] = ()
     is_cut: bool = False
-    several: tuple[bytes, ...] = ()
+    undecided: tuple[Replacement, ...] = ()
 
 
 class _Arguments(NamedTuple):
@@ -90,7 +98,7 @@ def with_macro_calls(data: bytes, brought: Sequence[Replacement] = ()) -> Expand
     definitions = Definitions(brought)
     putting = _Put(definitions, calling, around)
     put = putting.into(data)
-    return Expanded(put, exported(definitions), putting.is_cut, tuple(sorted(putting.several)))
+    return Expanded(put, exported(definitions), putting.is_cut, tuple(sorted(putting.undecided, key=order)))
 
 
 def _held_at_end(data: bytes) -> Definitions:
@@ -117,7 +125,7 @@ class _Put:
         self.size = 0
         self.calling = 0
         self.is_cut = False
-        self.several: set[bytes] = set()
+        self.undecided: set[Replacement] = set()
         self._nesting = 0
 
     def into(self, data: bytes) -> bytes:
@@ -157,7 +165,7 @@ class _Put:
         name = match["name"]
         macro = self.definitions.of(name)
         if macro is None and name in self.leading and self.definitions.is_open(name):
-            self.several.add(name)
+            self.undecided.update(self.definitions.alternatives(name))
         if macro is None or name in inside or self._is_beyond(inside):
             return None
         given = _given(macro, data, match.end())

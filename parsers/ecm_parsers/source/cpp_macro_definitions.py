@@ -112,10 +112,13 @@ class Definitions:
         """Tell whether a name stands for something here of which it is not known what that is."""
         return bool(self._held.get(name)) and self.of(name) is None
 
+    def alternatives(self, name: bytes) -> Iterator[Replacement]:
+        """Yield what a name may stand for here."""
+        return (each.definition for each in self._held.get(name, ()) if each.definition is not None)
+
     def all(self) -> Iterator[Replacement]:
         """Yield what may hold here."""
-        found = (each.definition for held in self._held.values() for each in held)
-        return (each for each in found if each is not None)
+        return (each for name in self._held for each in self.alternatives(name))
 
 
 def exported(definitions: Definitions) -> tuple[Replacement, ...]:
@@ -123,13 +126,14 @@ def exported(definitions: Definitions) -> tuple[Replacement, ...]:
 
     With them are lists of rows, whose row each file defines for itself, and what puts a list where statements stand.
     """
-    held = sorted(set(definitions.all()), key=_order)
+    held = sorted(set(definitions.all()), key=order)
     names = leading({each.name for each in held if is_calling(each)}, held)
     rows = leading({each.name for each in held if _is_rows(each)}, held)
     return tuple([each for each in held if each.name in names | rows or (names and _takes_rows(each))])
 
 
-def _order(definition: Replacement) -> tuple[bytes, tuple[bytes, ...], bytes]:
+def order(definition: Replacement) -> tuple[bytes, tuple[bytes, ...], bytes]:
+    """Return what definitions are sorted by."""
     return definition.name, definition.params or (), definition.body
 
 

@@ -212,7 +212,11 @@ class Replacement(_Fact, frozen=True):
 
 
 class SourceFile(_Fact, frozen=True):
-    """All facts of one source file; `exported` are the macros by which a C++ file that includes it calls something."""
+    """All facts of one source file.
+
+    `exported` are the macros by which a C++ file that includes it calls something; `undecided` what those may stand for
+    that it calls itself, of which several definitions may hold.
+    """
 
     language: Literal["cpp", "python"]
     imports: tuple[Import, ...] = ()
@@ -225,3 +229,4 @@ class SourceFile(_Fact, frozen=True):
     shebang: str = ""
     mentions: tuple[Mention, ...] = ()
     exported: tuple[Replacement, ...] = ()
+    undecided: tuple[Replacement, ...] = ()

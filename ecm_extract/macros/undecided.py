@@ -1,0 +1,43 @@
+"""Files that call macros of which nobody knows which definition holds: what these declare is not told."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Sequence
+from typing import Final
+
+from ecm_parsers.source.facts import SourceFile
+
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
+
+_WORD: Final = re.compile(rb"[A-Za-z_]\w*")
+MAX_NAMES: Final = 5
+"""Macros that are named."""
+
+
+def report_undecided(packages: Sequence[PackageFacts], tree: Tree, callees: Collection[str]) -> None:
+    """Tell the tree of each file that calls such a macro, where one of its definitions may declare something.
+
+    Args:
+        packages: what was read.
+        tree: which is told.
+        callees: last names of what declares interfaces, by the rows of forms.
+    """
+    for package in packages:
+        for path, facts in package.sources.items():
+            names = sorted(set(_declaring(facts, callees)))
+            if names:
+                shown = printable(path)
+                message = (
+                    f"Which definition of these macros holds is not known: {', '.join(names[:MAX_NAMES])}. What they "
+                    "declare is not told. Declare it without a macro, or define that in one way."
+                )
+                tree.report(FileDiagnostic("warning", "cpp-macros", shown, 0, message, Unread(shown, "undecided")))
+
+
+def _declaring(facts: SourceFile, callees: Collection[str]) -> Iterator[str]:
+    """The names of the macros that may declare something."""
+    for macro in facts.undecided:
+        if any(word.decode() in callees for word in _WORD.findall(macro.body)):
+            yield macro.name.decode(errors="replace")
