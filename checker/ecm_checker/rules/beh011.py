@@ -85,7 +85,7 @@ def _finding(module: View, reader: Interface, weaker: list[_Offer]) -> Finding:
         f"{module.id} subscribes to any topic with {first.policy} {asked}, "
         f"and {first.module.id} publishes {first.endpoint.name} with {given}"
     )
-    evidence = [*reader.evidence[:1], *(offer.endpoint.evidence[0] for offer in weaker[:MAX_PLACES])]
+    evidence = [*reader.evidence[:MAX_PLACES], *(offer.endpoint.evidence[0] for offer in weaker[:MAX_PLACES])]
     entity = Entity("topic", reader.name, first.policy)
     return RULE.finding(text, entity, (module, first.module), evidence, certainty="likely")
 

@@ -100,7 +100,7 @@ def _takes_any(interface: Interface, workspace: Workspace) -> bool:
         _is_generic(step, at.line) for at in interface.evidence for step in _around(at, workspace)
     ):
         return False
-    return not any(_chooses(statement) for statement in _around(interface.evidence[0], workspace))
+    return not any(_chooses(step) for at in interface.evidence for step in _around(at, workspace))
 
 
 def _around(place: Evidence, workspace: Workspace) -> Iterator[Statement]:
@@ -143,6 +143,6 @@ def _finding(reader: Reader, weak: Mapping[str, Sequence[tuple[RunningEndpoint, 
     if len(weak) > 1:
         text += f" ({len(weak) - 1} more packages do so)" if len(weak) > 2 else " (1 more package does so)"
     places = [Evidence(entry.path, entry.line) for offers in weak.values() for entry, _ in offers]
-    evidence = [*reader.interface.evidence[:1], *places[:MAX_PLACES]]
+    evidence = [*reader.interface.evidence[:MAX_PLACES], *places[:MAX_PLACES]]
     entity = Entity("topic", reader.interface.name, package)
     return RULE.finding(text, entity, reader.package, evidence, certainty="likely")
