@@ -28,6 +28,12 @@ ROWS = [
     ("a variable", f'const std::string p = "arm"; {MAKE}(shared_from_this(), p);', {("arm.queue", "folded")}),
     ("what a caller gives", f"{MAKE}(shared_from_this(), side);", {("{side}.queue", "pattern")}),
     ("a logger", f"{MAKE}(get_node_parameters_interface(), get_logger());", {("queue", "literal")}),
+    (
+        "a logger of this object",
+        f"{MAKE}(get_node_parameters_interface(), this->get_logger());",
+        {("queue", "literal")},
+    ),
+    ("a logger of a node", f"{MAKE}(get_node_parameters_interface(), other->get_logger());", {("queue", "literal")}),
     ("a logger of its own", f"{MAKE}(get_node_parameters_interface(), logger_);", {("queue", "literal")}),
     ("behind a logger", f'{MAKE}(get_node_parameters_interface(), get_logger(), "arm");', {("arm.queue", "folded")}),
     (

@@ -11,10 +11,11 @@ from typing import Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Text
 
-from ecm_extract.link.code.calls import Invocation, dotted_name
+from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import last_name, plain, pointee
 from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.owning.references import Unit
+from ecm_extract.link.running.env import invocation_of
 from ecm_extract.link.running.values import Value
 
 LISTENER: Final = "ParamListener"
@@ -53,7 +54,7 @@ class Listeners:
         return self.sites.folder.fold(given, env)
 
     def _is_logger(self, given: Expr, call: Invocation) -> bool:
-        if isinstance(given, Call) and last_name(dotted_name(given.callee)) in _LOGGING:
+        if isinstance(given, Call) and invocation_of(given, self.sites.root_env(call.func, call.at)).last in _LOGGING:
             return True
         written = self.sites.folder.objects.type_of(given, self.sites.root_env(call.func, call.at))
         return last_name(plain(pointee(written))) == _LOGGER

@@ -29,7 +29,7 @@ def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
     frames, types = _first_frames(entries), _first_types(entries)
     by_key: dict[_Key, Interface] = {}
     for entry in (_undecided(each, unsure) for each in entries):
-        kind = entry.type or types.get(entry.name) if entry.row.value else entry.type
+        kind = entry.type or types.get(_Parameter.of(entry)) if entry.row.value else entry.type
         key = _Key(entry.role, entry.name, kind, entry.frame or frames.get((entry.role, entry.name)))
         known = by_key.get(key)
         if known is None:
@@ -63,12 +63,24 @@ def _first_frames(entries: Iterable[Interface]) -> dict[tuple[str, str], str]:
     return found
 
 
-def _first_types(entries: Iterable[Interface]) -> dict[str, str]:
-    """The types of parameters that are told first of each name: who only reads one may not show it."""
-    found: dict[str, str] = {}
+class _Parameter(NamedTuple):
+    """A parameter by its name; one whose name is open also by the line that all of its lines begin with."""
+
+    name: str
+    asked: Evidence | None
+
+    @classmethod
+    def of(cls, entry: Interface) -> _Parameter:
+        """Return the parameter that a record is of."""
+        return cls(entry.name, entry.evidence[0] if "{" in entry.name else None)
+
+
+def _first_types(entries: Iterable[Interface]) -> dict[_Parameter, str]:
+    """The types that are told first of each parameter: who only reads one may not show it."""
+    found: dict[_Parameter, str] = {}
     for entry in entries:
-        if entry.row.value and entry.type is not None and "{" not in entry.name:
-            found.setdefault(entry.name, entry.type)
+        if entry.row.value and entry.type is not None:
+            found.setdefault(_Parameter.of(entry), entry.type)
     return found
 
 
