@@ -107,6 +107,6 @@ def extract(tree: Path, saved: Path | None = None) -> Extraction:
 def _run(tree: Path) -> bytes:
     line = [command(), str(tree), "--format", "json", "-o", "-"]
     done = subprocess.run(line, capture_output=True, check=False)
-    if done.returncode > 1:
+    if not done.stdout:
         sys.exit(f"{' '.join(line)} ended with status {done.returncode}:\n{done.stderr.decode()[-2000:]}")
     return done.stdout

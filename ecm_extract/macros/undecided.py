@@ -11,7 +11,8 @@ from ecm_parsers.source.facts import SourceFile
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
 
-_WORD: Final = re.compile(rb"[A-Za-z_]\w*")
+_CALLED: Final = re.compile(rb"([A-Za-z_]\w*)\s*(?:<[^;]*>)?\s*\(\s*[^\s)]")
+"""A call that is given something: what declares an interface is given its name."""
 MAX_NAMES: Final = 5
 """Macros that are named."""
 
@@ -39,5 +40,5 @@ def report_undecided(packages: Sequence[PackageFacts], tree: Tree, callees: Coll
 def _declaring(facts: SourceFile, callees: Collection[str]) -> Iterator[str]:
     """The names of the macros that may declare something."""
     for macro in facts.undecided:
-        if any(word.decode() in callees for word in _WORD.findall(macro.body)):
+        if any(word.decode() in callees for word in _CALLED.findall(macro.body)):
             yield macro.name.decode(errors="replace")
