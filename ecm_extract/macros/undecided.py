@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from typing import Final
 
 from ecm_parsers.source.facts import SourceFile
@@ -11,8 +11,8 @@ from ecm_parsers.source.facts import SourceFile
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
 
-_CALLED: Final = re.compile(rb"([A-Za-z_]\w*)\s*(?:<[^;]*>)?\s*\(\s*[^\s)]")
-"""A call that is given something: what declares an interface is given its name."""
+_CALLED: Final = re.compile(rb"\b([A-Za-z_]\w*+)\s*+(?:<[^;]{0,200}>\s*+)?\(\s*+[^\s)]")
+"""A call that is given something, as what declares an interface is given its name; nothing is tried twice."""
 MAX_NAMES: Final = 5
 """Macros that are named."""
 
@@ -27,7 +27,7 @@ def report_undecided(packages: Sequence[PackageFacts], tree: Tree, callees: Coll
     """
     for package in packages:
         for path, facts in package.sources.items():
-            names = sorted(set(_declaring(facts, callees)))
+            names = declaring_macros(facts, callees)
             if names:
                 shown = printable(path)
                 message = (
@@ -37,8 +37,9 @@ def report_undecided(packages: Sequence[PackageFacts], tree: Tree, callees: Coll
                 tree.report(FileDiagnostic("warning", "cpp-macros", shown, 0, message, Unread(shown, "undecided")))
 
 
-def _declaring(facts: SourceFile, callees: Collection[str]) -> Iterator[str]:
-    """The names of the macros that may declare something."""
-    for macro in facts.undecided:
-        if any(word.decode() in callees for word in _CALLED.findall(macro.body)):
-            yield macro.name.decode(errors="replace")
+def declaring_macros(facts: SourceFile, callees: Collection[str]) -> list[str]:
+    """Return the names of the undecided macros of a file that may declare something."""
+    found = (
+        macro for macro in facts.undecided if any(each.decode() in callees for each in _CALLED.findall(macro.body))
+    )
+    return sorted({macro.name.decode(errors="replace") for macro in found})

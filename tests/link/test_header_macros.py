@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import time
 from typing import Any
 
 import pytest
+from ecm_parsers.source.facts import Replacement, SourceFile
 
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
+from ecm_extract.macros.undecided import declaring_macros
 from ecm_extract.tree import open_tree
 
 GET = "#define GET(name, value) node->declare_parameter(#name, value)\n"
@@ -59,3 +62,12 @@ def test_two_headers_that_differ_are_said(workspace: Any, one: str, other: str, 
     read = extract(open_tree(workspace.root), Options(jobs=1))
     assert [each.code for each in read.diagnostics if each.path.endswith("d.cpp")] == codes
     assert [each.reason for each in read.unread if each.path.endswith("d.cpp")] == ["undecided"] * len(codes)
+
+
+def test_bodies_that_invite_to_try_all_ways_take_no_time() -> None:
+    """Words, spaces and signs of templates by the thousand: one such macro took seconds."""
+    bodies = [b"a" * 2000 + b" " * 2000, b"a<" * 2000, b"a<b " * 1000, (b"a" + b" " * 50) * 80]
+    macros = tuple([Replacement(b"GET", None, body) for body in bodies])
+    begun = time.process_time()
+    assert declaring_macros(SourceFile("cpp", undecided=macros), {"get"}) == []
+    assert time.process_time() - begun < 1
