@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.effects import bare_names, is_plain
+from ecm_extract.infer.bare_names import bare_names
+from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.places import target_of, wholes

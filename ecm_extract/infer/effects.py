@@ -7,7 +7,19 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Final, Literal, Protocol
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Table, Template, Text
+from ecm_parsers.source.expr import (
+    THIS,
+    Call,
+    Constant,
+    Expr,
+    Lambda,
+    Member,
+    Name,
+    Number,
+    Op,
+    Template,
+    Text,
+)
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.kinds import Exceptions
@@ -246,7 +258,7 @@ class Effects:
     def _passes(self, arg: Expr) -> bool:
         """Whether an argument is a variable, or leads into one."""
         if isinstance(arg, Name | Member):
-            return arg != Name("this")
+            return arg != THIS
         if isinstance(arg, Op) and arg.op in {"&", "[]"}:
             return bool(self.root(arg.operands[0]))
         return self._iterates(arg) or (isinstance(arg, Call) and bool(self.key(arg)))
@@ -293,37 +305,6 @@ class Effects:
 def _is_text_or_path(expr: Expr) -> bool:
     named = isinstance(expr, Member) and expr.name == "path"
     return isinstance(expr, Text | Template) or named
-
-
-def bare_names(expr: Expr | None) -> Iterator[Expr]:
-    """Yield the variables that an expression is, or that it puts into a list or table as they are."""
-    if isinstance(expr, Name | Member):
-        yield expr
-    elif isinstance(expr, Items):
-        for item in expr.items:
-            yield from bare_names(item)
-    elif isinstance(expr, Table):
-        for _, value in expr.entries:
-            yield from bare_names(value)
-    elif isinstance(expr, Op) and expr.op in {"?:", "||", "&&"}:
-        for operand in expr.operands:
-            yield from bare_names(operand)
-    elif isinstance(expr, Call):
-        for arg in (*expr.args, *(value for _, value in expr.keywords)):
-            yield from bare_names(arg)
-
-
-def shared_names(expr: Expr | None) -> Iterator[Expr]:
-    """Yield the variables that an expression of Python is, holds, or is a part of: `[a]`, `pair[0]`, `table.get(x)`."""
-    yield from bare_names(expr)
-    if isinstance(expr, Op) and expr.op in {"+", "*"}:
-        for display in expr.operands:
-            yield from bare_names(display) if isinstance(display, Items) else ()
-    elif isinstance(expr, Op) and expr.op in {"[]", "?:", "||", "&&"}:
-        for operand in expr.operands[: 1 if expr.op == "[]" else None]:
-            yield from shared_names(operand)
-    elif isinstance(expr, Call) and isinstance(expr.callee, Member):
-        yield from shared_names(expr.callee.base)
 
 
 def is_plain(expr: Expr | None) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Set
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Function, Statement
 from ecm_parsers.source.flow import Attempt, Block, blocks
 
@@ -12,7 +12,6 @@ from ecm_extract.infer.unpacking import unstarred
 
 ALL_FIELDS = "__dict__"
 """Member of objects of Python that has all others: who changes an element of it may change any of these."""
-_THIS = Name("this")
 _GET = Name("std::get")
 
 
@@ -54,10 +53,10 @@ def key_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> s
     """
     if isinstance(expr, Name):
         if expr.id in own or "::" in expr.id or expr.id.startswith("#") or not member(expr.id):
-            return expr.id if expr != _THIS else ""
-        return "" if expr == _THIS else f".{expr.id}"
+            return expr.id if expr != THIS else ""
+        return "" if expr == THIS else f".{expr.id}"
     if isinstance(expr, Member):
-        if expr.base == _THIS:
+        if expr.base == THIS:
             return f".{expr.name}"
         base = key_of(expr.base, own, member)
         return f"{base}.{expr.name}" if base else ""
@@ -69,7 +68,7 @@ def key_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> s
 def target_of(statement: Statement) -> Expr | None:
     """Return what a statement binds: an initialiser means the member, whatever the constructor calls its parameters."""
     target = statement.target
-    return Member(_THIS, target.id) if statement.kind == "init" and isinstance(target, Name) else target
+    return Member(THIS, target.id) if statement.kind == "init" and isinstance(target, Name) else target
 
 
 def root_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> str:
@@ -101,4 +100,4 @@ def wholes(key: str) -> list[str]:
 
 def as_written(key: str) -> Expr:
     """Return a variable of the object, or one outside of functions, as a function of its own names writes it."""
-    return Member(Name("this"), key[1:]) if key.startswith(".") else Name(key)
+    return Member(THIS, key[1:]) if key.startswith(".") else Name(key)

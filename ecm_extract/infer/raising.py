@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Comprehension, Expr, Member, Name, Op, Opaque
+from ecm_parsers.source.expr import THIS, Call, Comprehension, Expr, Member, Name, Op, Opaque
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Branch, Loop, Step, Switch
 
@@ -14,7 +14,6 @@ from ecm_extract.infer.kinds import standard_kind
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import children
 
-_THIS: Final = Name("this")
 _OPERATORS: Final = frozenset({"[]", "/", "//", "%"})
 
 
@@ -31,7 +30,7 @@ def raises_itself(expr: Expr, language: str) -> bool:
         return True
     if isinstance(expr, Call):
         return not _is_calm(expr, language)
-    return isinstance(expr, Member) and language == "python" and expr.base != _THIS
+    return isinstance(expr, Member) and language == "python" and expr.base != THIS
 
 
 def _is_calm(call: Call, language: str) -> bool:

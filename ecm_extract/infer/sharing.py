@@ -8,7 +8,8 @@ from collections.abc import Callable, Iterable, Set
 from ecm_parsers.source.expr import Member, Name
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.effects import is_plain, shared_names
+from ecm_extract.infer.bare_names import shared_names
+from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.outline import Outline
 

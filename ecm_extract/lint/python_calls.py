@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from ecm_parsers.source.expr import Call, Member, Name
+from ecm_parsers.source.expr import Call, Name
 
 from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
 
@@ -15,7 +16,7 @@ def callees(call: Call, func: Func, program: Program) -> list[Func]:
     A method of `self` may be that of the class, of a base, or one that a class further down overrides.
     """
     callee = call.callee
-    if isinstance(callee, Member) and callee.base == Name("this") and func.cls is not None:
+    if is_own_member(callee) and func.cls is not None:
         return _methods(callee.name, func.cls, program)
     head = dotted_name(callee).partition(".")[0]
     if not head or head in _bound(func):

@@ -7,20 +7,17 @@ and what it derives from. What is not declared in the tree (`auto` of a foreign 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.handles import verbs
 from ecm_checker.hub.requirement import Given, Requirement
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Member
 
 from ecm_extract.link.code.units import Func
 from ecm_extract.requires.cpp_body import Body
 from ecm_extract.requires.foreign_classes import ForeignClasses
 from ecm_extract.requires.place import Place, required
-
-_THIS: Final = Name("this")
 
 
 class _Touched(msgspec.Struct, frozen=True):
@@ -50,7 +47,7 @@ def _handled(body: Body) -> Iterator[Requirement]:
         for expr, line in statement:
             if isinstance(expr, Call) and isinstance(expr.callee, Member):
                 member = expr.callee
-                if member.name.startswith(verbs()) and member.base != _THIS:
+                if member.name.startswith(verbs()) and member.base != THIS:
                     lines.setdefault(member.name, line)
     for name, line in lines.items():
         yield required("handles", name, Place(path, line, f"file {path}"), "unknown")

@@ -17,6 +17,7 @@ from ecm_checker.hub.requirement import Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
 from ecm_extract.link.code.containers import ELEMENT_METHODS
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Func
 from ecm_extract.requires.cpp_body import Body
 from ecm_extract.requires.place import Place, required
@@ -26,7 +27,6 @@ _SELF: Final = frozenset({"get", "lock", "value"}) | ELEMENT_METHODS
 """Methods of pointers and containers that give what they hold."""
 _MACRO: Final = re.compile(r"[A-Z][A-Z0-9_]*")
 _OWN: Final = frozenset({"std", "boost"})
-_THIS: Final = Name("this")
 
 
 """Said of a member that is gone through to what it holds."""
@@ -106,7 +106,7 @@ class _Ways:
 
     def _inherited(self, expr: Expr) -> str:
         """The name of a member that only a base class of another package can have; empty for any other."""
-        if isinstance(expr, Member) and expr.base == _THIS:
+        if is_own_member(expr):
             return "" if self._of_class.is_own(expr.name) else expr.name
         if not isinstance(expr, Name) or "::" in expr.id or _MACRO.fullmatch(expr.id) or expr.id == "this":
             return ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from ecm_parsers.source.expr import Expr, Name
+from ecm_parsers.source.expr import THIS, Expr
 
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
@@ -15,7 +15,6 @@ from ecm_extract.link.running.objects import Objects
 
 _LANGUAGE: Final = "std"
 _KNOWN: Final = frozenset({_LANGUAGE, "boost"})
-_THIS: Final = Name("this")
 
 
 class ForeignClasses:
@@ -30,7 +29,7 @@ class ForeignClasses:
     def of(self, expr: Expr) -> str:
         """Return the qualified class of an object; empty for what is not declared, or is the own package's."""
         written = dotted(expr)
-        return "" if written is None or expr == _THIS else self._remembered(written, expr)
+        return "" if written is None or expr == THIS else self._remembered(written, expr)
 
     def declared(self, expr: Expr) -> str:
         """Return the class of any object whose type is declared, such as an element of a list."""

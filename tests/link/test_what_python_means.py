@@ -80,6 +80,8 @@ def around(function):
 def wrapped(name): return name
 @functools.lru_cache
 def kept(name): return name
+@tools.cache
+def cached(name): return name
 def joined(a, b="b", *more, c="c"): return a + b + "".join(more) + c
 class Demo(Node):
     def __init__(self):
@@ -119,6 +121,7 @@ ROWS = [
     ("a variable of a class", 'Counted()\npub("n%d" % Counted.made)', ["n0", "n{made}"]),
     ("a default that calls before have changed", 'collected("a")\npub(collected("b"))', [OPEN]),
     ("a decorator", 'pub(wrapped("a"))', [OPEN]),
+    ("a decorator that is called as a known one", 'pub(cached("a"))', [OPEN]),
     ("a decorator that keeps results", 'pub(kept("a"))', ["a"]),
     ("a table of arguments", 'pub(joined("a", **{"b": "x"}))', ["axc"]),
     ("a table that is not known", 'pub(joined("a", **table()))', [OPEN]),

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import msgspec
 from ecm_parsers.source.expr import (
+    THIS,
     Call,
     Expr,
     Member,
@@ -179,7 +180,7 @@ def _python(step: Step, call: Call) -> Invocation:
 
 def _inner_class(func: Func, callee: Member) -> str:
     """The class within a class of its file that an attribute of that class, or of its object, is; empty of others."""
-    owner = func.cls.qualified if func.cls is not None and callee.base == Name("this") else dotted_name(callee.base)
+    owner = func.cls.qualified if func.cls is not None and callee.base == THIS else dotted_name(callee.base)
     path = f"{owner}.{callee.name}"
     return path if path.replace(".", "::") in func.file.inner_classes else ""
 

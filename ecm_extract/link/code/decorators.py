@@ -1,31 +1,41 @@
-"""Decorators of functions: what is known of them by their names.
+"""Decorators of functions: what is known of them by their full names.
 
-Sources: docs.python.org ("Built-in Functions", functools, abc, contextlib, typing), en.cppreference.com (attributes).
+Sources: docs.python.org ("Built-in Functions", functools, abc, contextlib, typing, warnings), typing-extensions,
+[dcl.attr] of the C++ standard.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterator
 from typing import Final
 
-from ecm_parsers.source.facts import Function
-
-from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.units import Func
 from ecm_extract.shipped import shipped_names
 
 _TABLE: Final = "link/code/decorators.toml"
+_OF_PROPERTIES: Final = frozenset({"setter", "getter", "deleter"})
 
 
-def names_of(decorators: Iterable[str]) -> frozenset[str]:
-    """Return the last names of decorators, without what they are given: `app.command(name)` is `command`."""
-    return frozenset([last_name(each.partition("(")[0].strip()) for each in decorators])
-
-
-def are_known(function: Function) -> bool:
+def are_known(func: Func) -> bool:
     """Tell whether no decorator registers a function anywhere, or may give back something else than it does."""
-    return names_of(function.decorators) <= shipped_names(_TABLE, "known")
+    return shipped_names(_TABLE, "known").issuperset(_names(func))
 
 
-def runs_at_once(function: Function) -> bool:
+def runs_at_once(func: Func) -> bool:
     """Tell whether a call of a decorated function runs its body with nothing around it."""
-    return names_of(function.decorators) <= shipped_names(_TABLE, "bare")
+    return shipped_names(_TABLE, "bare").issuperset(_names(func))
+
+
+def is_overload(func: Func) -> bool:
+    """Tell whether a function only says which types another one takes."""
+    return not shipped_names(_TABLE, "overload").isdisjoint(_names(func))
+
+
+def _names(func: Func) -> Iterator[str]:
+    """The full names of decorators, without what they are given; `speed.setter` of a property `speed` is `property`."""
+    for decorator in func.fact.decorators:
+        written = decorator.partition("(")[0].strip()
+        head, _, rest = written.partition(".")
+        target = func.file.imported.get(head, head)
+        is_property = head == func.fact.name and rest in _OF_PROPERTIES
+        yield "property" if is_property else f"{target}.{rest}" if rest else target

@@ -6,13 +6,12 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Items, Member, Name, Number, Op, Opaque, Text
+from ecm_parsers.source.expr import THIS, Call, Constant, Expr, Items, Member, Name, Number, Op, Opaque, Text
 
 MAX_TEXT: Final = 120
 """Characters beyond which a text is cut."""
 _PYTHON: Final[Mapping[str, str]] = MappingProxyType({"&&": "and", "||": "or", "!": "not "})
 _CONSTANTS: Final[Mapping[str, str]] = MappingProxyType({"true": "True", "false": "False", "null": "None"})
-_THIS: Final = Name("this")
 Known = Callable[[Expr], str]
 """What a part of an expression is called; empty for what is written out."""
 
@@ -40,7 +39,7 @@ class _Writer:
             return named
         match expr:
             case Name():
-                return "self" if self.python and expr == _THIS else expr.id
+                return "self" if self.python and expr == THIS else expr.id
             case Member():
                 return self._member(expr)
             case Call():
@@ -64,7 +63,7 @@ class _Writer:
         return "..."
 
     def _member(self, expr: Member) -> str:
-        if expr.base == _THIS and not self.python:
+        if expr.base == THIS and not self.python:
             return expr.name
         return f"{self.text(expr.base)}.{expr.name}"
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Lambda, Member, Name
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.walk import calls_in, children
 
-THIS = Name("this")
 Asked = Callable[[str], bool]
 """What is asked of a method by its name."""
 
@@ -40,7 +40,7 @@ class _Given:
             return expr.body is None or any(map(self._reaches, calls_in(expr.body)))
         if expr == THIS:
             return True
-        if isinstance(expr, Member) and expr.base == THIS:
+        if is_own_member(expr):
             return self.is_method(expr.name)
         if isinstance(expr, Call) and isinstance(expr.callee, Member) and _is_own(expr.callee.base):
             return self._hands_on(expr)

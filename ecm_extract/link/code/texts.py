@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Template, Text
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Template, Text
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.own import own_name
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Func
 
@@ -29,7 +30,7 @@ def is_text(expr: Expr, func: Func) -> bool:
 
 
 def _may_be(expr: Expr, func: Func) -> bool:
-    return isinstance(expr, Name | Member | Call) and expr != Name("this") and not written_type(expr, func)
+    return isinstance(expr, Name | Member | Call) and expr != THIS and not written_type(expr, func)
 
 
 def is_text_type(written: str) -> bool:
@@ -41,11 +42,5 @@ def written_type(expr: Expr, func: Func) -> str:
     """Return the declared type of a variable, a parameter or a member of the own class; empty where it is not known."""
     if isinstance(expr, Name) and expr.id in func.written_types:
         return func.written_types[expr.id]
-    name = expr.id if isinstance(expr, Name) else _own(expr)
-    field = func.cls.fields.get(name) if func.cls is not None else None
+    field = func.cls.fields.get(own_name(expr)) if func.cls is not None else None
     return field.type if field is not None else ""
-
-
-def _own(expr: Expr) -> str:
-    """The name of a member that is asked of the own object, empty for all else."""
-    return expr.name if isinstance(expr, Member) and expr.base == Name("this") else ""

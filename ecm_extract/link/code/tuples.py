@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Final, Literal, NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op, Table, Template, Text
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Number, Op, Table, Template, Text
 from ecm_parsers.source.facts import Function, Statement
 
 from ecm_extract.link.code.calls import dotted_name
@@ -13,7 +13,6 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import calls_in
 
-_THIS: Final = Name("this")
 _EMPTY: Final = frozenset({"dict", "list", "OrderedDict", "collections.OrderedDict", "deque", "collections.deque"})
 _READERS: Final = frozenset({"len", "sorted", "enumerate", "list", "tuple", "zip", "print", "str", "any", "all"})
 _CHANGES: Final = frozenset({"insert", "extend", "update", "setdefault", "appendleft"})
@@ -66,7 +65,7 @@ def held(taken: Taken, classes: Iterable[Cls]) -> Count | None:
 
     None where elements differ or one is not a display, and where the member may be filled in another way.
     """
-    member = Member(_THIS, taken.member)
+    member = Member(THIS, taken.member)
     methods = [method for cls in classes for method in cls.methods]
     steps = [(statement, method) for method in methods for statement in method.fact.body]
     if any(_is_filled_otherwise(statement, member) for statement, _ in steps):

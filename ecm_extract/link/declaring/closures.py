@@ -7,19 +7,18 @@ of the function around it as they were when it was made.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Lambda, Member, Name
 
 from ecm_extract.link.code.calls import Invocation, Step, invocation, invocations
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
-
-_THIS: Final = Name("this")
 
 
 class Making(NamedTuple):
@@ -111,7 +110,7 @@ def captured(func: Func, use: Invocation, env: Env, folder: Folder) -> Env:
         return _nearest(outer, env)
     same = made.func is env.func
     place = env.before(made.at) if same else Env(made.func, made.at, this=env.this, made=env.made, depth=env.depth + 1)
-    this = env.this if made.call.receiver in {None, _THIS} else outer.cls
+    this = env.this if made.call.receiver in {None, THIS} else outer.cls
     instance = env.made
     if this is not env.this:
         instance = folder.objects.held(made.call.receiver, this, place) if this is not None else None
@@ -145,10 +144,10 @@ def _of_holder(target: Expr | None, func: Func) -> Iterator[Invocation]:
     """The calls of a variable in its function, of a member in all methods of its class."""
     if isinstance(target, Name):
         yield from (call for call in invocations(func, {target.id}) if call.path == target.id)
-    elif isinstance(target, Member) and target.base == _THIS:
+    elif is_own_member(target):
         methods: Sequence[Func] = func.cls.methods if func.cls is not None else ()
         for method in methods:
-            yield from (call for call in invocations(method, {target.name}) if call.receiver == _THIS)
+            yield from (call for call in invocations(method, {target.name}) if call.receiver == THIS)
 
 
 def _making(use: Invocation) -> Making | None:
@@ -156,7 +155,7 @@ def _making(use: Invocation) -> Making | None:
     straight = next((call for call in use.func.calls[use.at] if _is_of(call, use)), None) if not use.path else None
     if straight is not None and isinstance(straight.callee, Call):
         return Making(use.func, use.at, invocation_of(straight.callee, Env(use.func, use.at)))
-    target: Expr = Name(use.path) if use.receiver is None else Member(_THIS, use.last)
+    target: Expr = Name(use.path) if use.receiver is None else Member(THIS, use.last)
     funcs = (use.func,) if use.receiver is None or use.func.cls is None else use.func.cls.methods
     found = [made for func in funcs for made in _given(func, target)]
     return found[0] if len(found) == 1 else _last(found, use)

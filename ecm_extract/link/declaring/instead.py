@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
+from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Branch, Switch, statements, steps
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.walk import children, names_in
+from ecm_extract.link.code.walk import expressions, names_in
 
 
 def returned_instead(call: Invocation, out: Expr | None) -> Expr | None:
@@ -89,7 +90,7 @@ def is_made_over(call: Invocation, out: Expr) -> bool:
     """
     body = call.func.fact.body
     where_set = [at for block in _where_set(call) for at in statements(block)]
-    return any(body[at].target == out and any(expr == out for expr in _within(body[at].value)) for at in where_set)
+    return any(body[at].target == out and _names_again(body[at], out) for at in where_set)
 
 
 def _where_set(call: Invocation) -> Iterator[Block]:
@@ -101,13 +102,9 @@ def _where_set(call: Invocation) -> Iterator[Block]:
             yield from (case.body for case in step.cases if case.tests == (call.statement.value,))
 
 
-def _within(expr: Expr | None) -> Iterator[Expr]:
-    """Yield an expression with all of its parts."""
-    pending = [expr] if expr is not None else []
-    while pending:
-        part = pending.pop()
-        yield part
-        pending += children(part)
+def _names_again(statement: Statement, out: Expr) -> bool:
+    """Whether a statement that gives a variable something names it in that, too."""
+    return sum(expr == out for expr, _ in expressions(statement)) > 1
 
 
 def _returns_only(call: Invocation, out: Expr) -> bool:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Op
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.texts import is_text_type
 from ecm_extract.link.code.units import Cls, Func
@@ -89,7 +90,7 @@ class Openness:
 
     def _accepted(self, expr: Expr | None, env: Env, accepts: Callable[[str, Func], bool]) -> frozenset[str]:
         """The parameters of a function that an expression is, or is joined of, and that nobody has bound."""
-        if _variable(expr) in env.args:
+        if own_name(expr) in env.args:
             return frozenset()
         return frozenset(name for name in _names(expr) if accepts(name, env.func))
 
@@ -97,7 +98,7 @@ class Openness:
         self, expr: Expr | None, env: Env, accepts: Callable[[str, Func], bool]
     ) -> Iterable[tuple[Expr | None, Env]]:
         """What an expression is further out: what is passed for it, or what makes it."""
-        name = _variable(expr)
+        name = own_name(expr)
         bound = env.args.get(name)
         if bound is not None:
             return [(bound.expr, bound.env)]
@@ -117,28 +118,21 @@ class Openness:
             if outer is not None:
                 yield outer, made.env
             elif statement is not None and statement.kind in _INITIALISING and made.env.func.is_constructor:
-                yield _parent(made.expr, _variable(variable)), made.env
+                yield _parent(made.expr, own_name(variable)), made.env
 
 
 def _parent(expr: Expr, member: str) -> Expr:
     """What a member is made of: `m(x)`, or a handle that it is below, `m(x, "in")` or `m(ros::NodeHandle(x, "in"))`."""
     given = expr.args[0] if isinstance(expr, Call) and len(expr.args) == 1 else expr
-    while isinstance(given, Call) and given.args and last_name(_variable(given.callee)) in {member, "NodeHandle"}:
+    while isinstance(given, Call) and given.args and last_name(own_name(given.callee)) in {member, "NodeHandle"}:
         given = given.args[0]
     return given
 
 
-def _variable(expr: Expr | None) -> str:
-    """The name of a variable, or of a member of the object at hand."""
-    if isinstance(expr, Member) and expr.base == Name("this"):
-        return expr.name
-    return expr.id if isinstance(expr, Name) else ""
-
-
 def _names(expr: Expr | None) -> Iterator[str]:
     """A name, or those of which a text is joined."""
-    if _variable(expr):
-        yield _variable(expr)
+    if own_name(expr):
+        yield own_name(expr)
     for part in expr.operands if isinstance(expr, Op) else ():
         yield from _names(part)
 
@@ -149,7 +143,7 @@ def _qos(site: Site) -> Expr | None:
 
 def _whole(expr: Expr | None) -> Expr | None:
     """The variable, or the member of the object at hand, that a profile is a field of; itself where it is none."""
-    while isinstance(expr, Member) and expr.base != Name("this"):
+    while isinstance(expr, Member) and expr.base != THIS:
         expr = expr.base
     return expr
 
@@ -189,7 +183,7 @@ def _attributes(expr: Expr | None) -> set[str]:
     pending, found = [expr] if expr is not None else [], set()
     while pending:
         part = pending.pop()
-        if isinstance(part, Member) and part.base == Name("this"):
+        if is_own_member(part):
             found.add(part.name)
         pending.extend(children(part))
     return found

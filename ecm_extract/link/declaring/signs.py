@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
+from ecm_parsers.source.expr import Call, Member, Name, Text
 
 from ecm_extract.link.code.calls import Invocation, invocations
+from ecm_extract.link.code.own import own_name
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.forms import Form, FormTable
@@ -59,10 +60,10 @@ class Signs:
     def _is_given_by_base(self, call: Invocation) -> bool:
         """Whether a receiver is a member of a base outside of the tree, or what a method of that gives."""
         receiver = call.receiver.callee if isinstance(call.receiver, Call) else call.receiver
-        name, own = _variable(receiver), self.folder.nesting.object_of(call.func)
+        name, own = own_name(receiver), self.folder.nesting.object_of(call.func)
         given = name in self.folder.flow.effects(call.func).own or name in call.func.given
-        is_own = own is not None and name and "::" not in name and not given
-        lineage = self.folder.program.ancestry(own) if own is not None and is_own else ()
+        is_own_member = own is not None and name and "::" not in name and not given
+        lineage = self.folder.program.ancestry(own) if own is not None and is_own_member else ()
         if any(name in entry.fields or any(method.fact.name == name for method in entry.methods) for entry in lineage):
             return False
         program = self.folder.program
@@ -71,7 +72,7 @@ class Signs:
 
     def _classes(self, call: Invocation, env: Env) -> frozenset[str]:
         """The classes of which a receiver is by what the other calls on it show."""
-        name = _variable(call.receiver)
+        name = own_name(call.receiver)
         if not name:
             return frozenset()
         local = name in self.folder.flow.effects(call.func).own
@@ -85,7 +86,7 @@ class Signs:
     def _found(self, place: _Place, name: str, env: Env) -> Iterator[str]:
         for call in _calls(place, self.forms):
             inner = Env(call.func, call.at, this=env.this)
-            for form in self.forms[call.last] if _variable(call.receiver) == name else ():
+            for form in self.forms[call.last] if own_name(call.receiver) == name else ():
                 if form.receiver and not form.row.value and self._shows(form, call, inner):
                     yield from form.receiver
 
@@ -94,13 +95,6 @@ def _calls(place: _Place, wanted: FormTable) -> Iterator[Invocation]:
     functions: Iterable[Func] = place.methods if isinstance(place, Cls) else (place,)
     for func in functions:
         yield from invocations(func, wanted)
-
-
-def _variable(expr: Expr | None) -> str:
-    """A variable, or a member of the object at hand, by its name; empty for anything else."""
-    if isinstance(expr, Member) and expr.base == Name("this"):
-        return expr.name
-    return expr.id if isinstance(expr, Name) else ""
 
 
 def _reads(form: Form, call: Invocation, count: int) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from ecm_parsers.source.expr import Name
+from ecm_parsers.source.expr import THIS
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls
@@ -96,7 +96,7 @@ class WaysIn:
         same = (
             env.this is not None
             and func.cls in self.folder.program.ancestry(env.this)
-            and link.receiver in {None, Name("this")}
+            and link.receiver in {None, THIS}
         )
         this = env.this if same else func.cls
         inner = env.made if same else self.folder.makers.part(link.receiver, func.cls, env)

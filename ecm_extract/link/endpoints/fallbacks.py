@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.declaring.handed_instead import handed_instead
@@ -39,7 +39,7 @@ def fallback(site: Site, at: int, folder: Folder) -> Expr | None:
 
 def _held_before(out: Name | Member, env: Env, folder: Folder) -> Expr | None:
     """What the variable was made with: by the function itself, of a member by its class, constructor or callers."""
-    if isinstance(out, Member) and out.base != Name("this"):
+    if isinstance(out, Member) and out.base != THIS:
         return None
     ways = [held for helds in folder.flow.ways(out, env) for held in helds]
     if ways and all(held.how not in _AS_FOUND for held in ways):

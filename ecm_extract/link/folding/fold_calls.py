@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from ecm_parsers.source.expr import (
+    THIS,
     Call,
     Expr,
     Name,
@@ -303,7 +304,7 @@ def _topic_of(made: Call, env: Env) -> Expr | None:
     """The name in a call that makes an endpoint."""
     call = invocation_of(made, env)
     free = call.receiver is None and "::" in call.path
-    position = 1 if free or call.args[:1] == (Name("this"),) else 0
+    position = 1 if free or call.args[:1] == (THIS,) else 0
     return call.args[position] if call.last in _MAKES_TOPICS and len(call.args) > position else None
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
+    THIS,
     Call,
     Comprehension,
     Expr,
@@ -21,6 +22,7 @@ from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.containers import KEEPING, begins_empty, is_container
 from ecm_extract.link.code.numbers import nothing_of
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.open_lists import OpenLists
@@ -216,9 +218,7 @@ class ListFolder:
     def sources(self, expr: Name | Member, env: Env) -> list[tuple[Held, Env]]:
         """Return what methods leave a member with that is a list."""
         cls = env.this or env.func.cls
-        member = (isinstance(expr, Member) and expr.base == Name("this")) or (
-            isinstance(expr, Name) and env.func.file.language == "cpp"
-        )
+        member = is_own_member(expr) or (isinstance(expr, Name) and env.func.file.language == "cpp")
         name = expr.id if isinstance(expr, Name) else expr.name
         key = (cls, name)
         if cls is None or not member or key in self._searching:
@@ -234,7 +234,7 @@ class ListFolder:
         name = expr.id if isinstance(expr, Name) else expr.name
         cls = env.this or env.func.cls
         for entry in self.folder.program.ancestry(cls) if cls is not None else ():
-            if name in entry.fields and (isinstance(expr, Name) or expr.base == Name("this")):
+            if name in entry.fields and (isinstance(expr, Name) or expr.base == THIS):
                 return self.items(entry.fields[name].default, Env(env.func, depth=env.depth + 1, this=cls))
         return None
 
@@ -259,14 +259,14 @@ class ListFolder:
             found = self.folder.members.sources(name, base, entry)
             if found:
                 return self.folder.held.items(*found[0]) if len(found) == 1 else None
-        default = self._default(Member(Name("this"), name), entry)
+        default = self._default(Member(THIS, name), entry)
         empty = begins_empty(self.folder.scope.member_type(name, cls))
         return default if default is not None else [] if empty else None
 
     def _at_first(self, expr: Name | Member, env: Env) -> list[Bound] | None:
         """The elements of a member in a constructor that is run now, which gave it nothing yet, nor called who may."""
         name, cls = expr.id if isinstance(expr, Name) else expr.name, env.func.cls
-        own = isinstance(expr, Name) or expr.base == Name("this")
+        own = isinstance(expr, Name) or expr.base == THIS
         if not own or cls is None or env.state is None or not env.func.is_constructor or env.state.called:
             return None
         return self.given(f".{name}", env, True) if self.folder.scope.member_type(name, cls) else None
@@ -274,14 +274,14 @@ class ListFolder:
     def is_others(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether functions that have the object of a member change it, so that no method here shows it."""
         name, cls = expr.id if isinstance(expr, Name) else expr.name, env.this or env.func.cls
-        own = isinstance(expr, Member) and expr.base == Name("this")
+        own = is_own_member(expr)
         if cls is None or not (own or (isinstance(expr, Name) and self.folder.scope.member_type(name, cls))):
             return False
         return self.folder.changed_outside.is_changed(name, cls)
 
     def _shared(self, name: str, env: Env) -> list[Bound] | None:
         """What all methods together leave a member with."""
-        found = self.sources(Member(Name("this"), name), env)
+        found = self.sources(Member(THIS, name), env)
         return self.folder.held.items(*found[0]) if len(found) == 1 else None
 
     # --- calls that give lists ---------------------------------------------------------------------------------

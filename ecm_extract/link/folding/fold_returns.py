@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Name
+from ecm_parsers.source.expr import THIS, Expr, Name
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.decorators import are_known, names_of
-from ecm_extract.link.code.handing_on import THIS
+from ecm_extract.link.code.decorators import are_known, is_overload
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overloads import score
 from ecm_extract.link.code.units import Cls, Func
@@ -79,8 +78,8 @@ class ReturnFolder:
             scores = [score(call, func) for func in fitting]
             fitting = fitting[:1] if scores[1:] and scores[0] > scores[1] and all(kinds) else fitting
         if env.func.file.language == "python":
-            fitting = [func for func in fitting if "overload" not in names_of(func.fact.decorators)]
-            if not all(are_known(func.fact) for func in fitting):
+            fitting = [func for func in fitting if not is_overload(func)]
+            if not all(are_known(func) for func in fitting):
                 return None
         return fitting[0] if len(fitting) == 1 else None  # of two in one place, who knows which was declared last
 
@@ -96,7 +95,7 @@ class ReturnFolder:
     def may_be_overridden(self, callee: Func, call: Invocation, env: Env) -> bool:
         """Tell whether a class that derives from the one at hand has a method of its own of that name."""
         cls = env.this or env.func.cls
-        own = call.receiver in {None, Name("this")} and callee.cls is not None and cls is not None
+        own = call.receiver in {None, THIS} and callee.cls is not None and cls is not None
         concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
         if not own or concrete or cls is None or callee.is_constructor:
             return False

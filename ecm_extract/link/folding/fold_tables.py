@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Items, Member, Name, Table, Text
+from ecm_parsers.source.expr import THIS, Call, Comprehension, Constant, Expr, Items, Member, Name, Table, Text
 
 from ecm_extract.infer.compute import NULL
 from ecm_extract.infer.held import Held, State
@@ -143,7 +143,7 @@ class TableFolder:
         if held.how == "given":
             entered = self.folder.states.entered(held.name, env)
             return self.held_entries(entered, env) if entered is not None else self._given_entries(held.name, env)
-        found = self.folder.lists.sources(Member(Name("this"), held.name.rpartition(".")[2]), env)
+        found = self.folder.lists.sources(Member(THIS, held.name.rpartition(".")[2]), env)
         return self.held_entries(*found[0]) if len(found) == 1 else None
 
     def _kept_entries(self, held: Held, env: Env) -> list[Entry] | None:

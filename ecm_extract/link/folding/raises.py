@@ -149,7 +149,7 @@ class Raises:
         """Whether a call runs the body, and nothing around it that may handle what it raises."""
         has_body = bool(callee.fact.body or callee.fact.flow)
         waits = not {"generator", "coroutine"}.isdisjoint(callee.fact.traits)
-        plain = callee.file.language == "cpp" or runs_at_once(callee.fact)
+        plain = callee.file.language == "cpp" or runs_at_once(callee)
         return has_body and not waits and plain
 
     def _has_others(self, callee: Func) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from ecm_checker.hub.roles import Role, roles
-from ecm_parsers.source.expr import Member, Name
+from ecm_parsers.source.expr import THIS, Member, Name
 from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.infer.held import Held
@@ -56,7 +56,7 @@ class PythonTypes:
     def _attribute(self, expr: Member, env: Env, role: Role) -> TypeFound:
         """`self.kind`: what methods give it, else what the class or its nearest base says."""
         cls = env.this or env.func.cls
-        if expr.base != Name("this") or cls is None:
+        if expr.base != THIS or cls is None:
             spelled = self._spelled_out(dotted_name(expr), env, role)
             return spelled if spelled.name is not None else self._of_object(expr, env, role)
         given = (held for held, _ in self.folder.members.sources(expr.name, cls, env))

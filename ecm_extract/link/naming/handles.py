@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import by_value, is_pointer, last_name, plain, pointee
@@ -31,7 +31,6 @@ _SAME = frozenset(
 )
 """Calls that give the object they are given, or that they are called on."""
 _TEXTS: Final = ("string", "char")
-_THIS: Final = Name("this")
 
 
 class Handle(NamedTuple):
@@ -80,7 +79,7 @@ class Handles:
         return known.prefix if known is not None and known.node is None else None
 
     def _known(self, expr: Expr | None, env: Env, depth: int) -> Handle | None:
-        if expr is None or expr == _THIS:
+        if expr is None or expr == THIS:
             return OWN
         if depth > MAX_DEPTH:
             return None
@@ -112,7 +111,7 @@ class Handles:
 
     def _member(self, expr: Member, env: Env, depth: int) -> Handle | None:
         """A member of the object at hand, or of another one, as its class makes it."""
-        if expr.base == _THIS:
+        if expr.base == THIS:
             return self._variable(expr, env, depth)
         made = self.folder.makers.of(expr.base, env)
         cls = made.cls if made is not None else self.folder.objects.class_of(expr.base, env)
@@ -120,7 +119,7 @@ class Handles:
             return self._declared(expr, env)
         made = made or self.sole.of(cls)
         place = Env(env.func, env.at, this=cls, made=made, depth=env.depth + 1)
-        return self._variable(Member(_THIS, expr.name), place, depth)
+        return self._variable(Member(THIS, expr.name), place, depth)
 
     def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
         """What all that may have made a variable agree on, and else what it is as it is declared."""

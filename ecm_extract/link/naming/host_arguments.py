@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from ecm_parsers.source.expr import Name
+from ecm_parsers.source.expr import THIS
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
@@ -48,7 +48,7 @@ class HostArguments:
         bases = set(self.sites.program.ancestry(func.cls)[1:]) if func.cls is not None else set()
         called = [method for method in self._overridden(func) if _is_virtual(method) or _is_virtual(func)]
         found = dict.fromkeys(call for method in called for call in self.sites.callers(method))
-        yield from (call for call in found if call.func.cls in bases and (call.simple or call.receiver == Name("this")))
+        yield from (call for call in found if call.func.cls in bases and (call.simple or call.receiver == THIS))
 
     def _overridden(self, func: Func) -> Sequence[Func]:
         """The methods of bases that a method may run in the place of."""

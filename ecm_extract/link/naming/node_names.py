@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ecm_checker.contract import Evidence
-from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Constant, Expr, Member, Name
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.calls import Invocation
@@ -168,7 +168,7 @@ def _base_arguments(statement: Statement) -> Given | None:
         args = value.args if isinstance(value, Call) and value.callee == target else (value,)
         return _given(args[0] if args else None, args[1] if len(args) > 1 else None)
     if isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == "__init__":
-        args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
+        args = value.args[1:] if value.args[:1] == (THIS,) else value.args
         keywords = dict(value.keywords)
         return _given(args[0] if args else keywords.get("node_name"), keywords.get("namespace"))
     return None

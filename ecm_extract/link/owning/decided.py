@@ -6,17 +6,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Final
 
-from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.expr import Expr, Name
 
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites, overrides
 from ecm_extract.link.owning.references import References
-
-_THIS: Final = Name("this")
 
 
 class Decided:
@@ -66,7 +64,7 @@ def _given(func: Func) -> set[str]:
 def _names(expr: Expr) -> Iterator[str]:
     if isinstance(expr, Name):
         yield expr.id
-    if isinstance(expr, Member) and expr.base == _THIS:
+    if is_own_member(expr):
         yield expr.name
     for part in children(expr):
         yield from _names(part)

@@ -239,4 +239,4 @@ def _runs_unnamed(func: Func) -> bool:
     special = name.startswith("__") and name.endswith("__")  # `__mine` is private and needs to be named
     if func.is_constructor or special or name.startswith(("~", "operator")) or name in _table()["unnamed"]:
         return True
-    return not are_known(func.fact)
+    return not are_known(func)

@@ -9,7 +9,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator
 
-from ecm_parsers.source.expr import Name
+from ecm_parsers.source.expr import THIS
 from ecm_parsers.source.facts import Constant
 
 from ecm_extract.link.code.spelling import by_value, last_name, plain
@@ -20,7 +20,6 @@ from ecm_extract.link.owning.registered import Registered
 
 Unit = Cls | Func
 _NAME = re.compile(r"[\w:.]+")
-_OWN = Name("this")
 """The first parameter of a method, of a class method the class."""
 _Mention = tuple[Unit, str, File, str]
 """A unit, the name by which it mentions a class, and where that name is looked up: file and scope."""
@@ -129,4 +128,4 @@ class References:
 def makes_own_class(method: Func) -> bool:
     """Tell whether a class method of Python makes an object of the class that it is called through."""
     of_class = "classmethod" in method.fact.decorators
-    return of_class and any(call.callee == _OWN for calls in method.calls for call in calls)
+    return of_class and any(call.callee == THIS for calls in method.calls for call in calls)

@@ -14,13 +14,13 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import children, last_of
 from ecm_extract.link.index.program import Program
 
 MAX_HANDING_ON = 3
 """Functions that a class is handed on through until one keeps it."""
-_THIS = Name("this")
 
 
 class Place(NamedTuple):
@@ -200,6 +200,6 @@ def _parts(expr: Expr, whole: Expr | None) -> Iterable[Expr]:
 
 def _through_own_class(expr: Expr, func: Func) -> Expr:
     """`cls.known` and `self.known` by the name of the class."""
-    if isinstance(expr, Member) and expr.base == _THIS and func.cls is not None:
+    if is_own_member(expr) and func.cls is not None:
         return Member(Name(func.cls.qualified.replace("::", ".")), expr.name)
     return expr

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.units import Cls, Func
@@ -74,6 +74,6 @@ def _owned(key: str) -> Iterator[tuple[Expr, str]]:
     first, *fields = key.split(".")
     owner: Expr = Name(first or "this")
     for field in fields:
-        if owner != Name("this"):
+        if owner != THIS:
             yield owner, field
         owner = Member(owner, field)

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import calls_of
 from ecm_extract.infer.judge import Kept
-from ecm_extract.link.code.handing_on import THIS
+from ecm_extract.infer.pointing import is_address
+from ecm_extract.link.code.own import own_name
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import pointee
 from ecm_extract.link.code.units import Cls, Func
@@ -53,7 +54,7 @@ class KeptReferences:
         """Yield for each member that keeps a parameter whether that is changed through it."""
         for statement in func.fact.body:
             if statement.kind in {"init", "set"} and _is_given(name, statement.value) and func.cls is not None:
-                member = _member(statement.target)
+                member = own_name(statement.target)
                 if member in func.cls.fields and _refers(func.cls.fields[member].type):
                     yield self._changes(member, func.cls)
         calls = (call for group in func.calls for call in group)
@@ -118,15 +119,7 @@ def _is_given(name: str, value: Expr | None) -> bool:
     """Whether a member is given a parameter, or its address, and nothing else."""
     if isinstance(value, Call) and len(value.args) == 1:
         value = value.args[0]
-    if isinstance(value, Op) and value.op == "&" and len(value.operands) == 1:
-        value = value.operands[0]
-    return value == Name(name)
-
-
-def _member(expr: Expr | None) -> str:
-    if isinstance(expr, Member):
-        return expr.name if expr.base == THIS else ""
-    return expr.id if isinstance(expr, Name) else ""
+    return value == Name(name) or (isinstance(value, Op) and is_address(value) and value.operands[0] == Name(name))
 
 
 def _on(func: Func, name: str) -> Iterator[Call]:

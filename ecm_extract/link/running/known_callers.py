@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from functools import cache
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Opaque, Text
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Opaque, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.calls import Invocation
@@ -52,7 +52,7 @@ class KnownCallers:
 
     def _found(self, func: Func, calls: tuple[Calling, ...]) -> tuple[Calling, ...] | None:
         straight = all(self.is_straight(call) for call, _ in calls)
-        itself = (Name(func.fact.name), Member(Name("this"), func.fact.name))
+        itself = (Name(func.fact.name), Member(THIS, func.fact.name))
         recursive = any(call.callee in itself for group in func.calls for call in group)
         return calls if calls and straight and not recursive else None
 

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Set
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call
+from ecm_parsers.source.expr import THIS, Call
 
 from ecm_extract.infer.effects import calls_of
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.handing_on import THIS
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env, Instance, invocation_of

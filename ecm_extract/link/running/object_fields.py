@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call, Expr, Member
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.code.handing_on import THIS
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import Bound, Env
@@ -99,7 +99,7 @@ class ObjectFields:
 def _called_of_parts(func: Func) -> Iterator[str]:
     calls: Iterator[Call] = (call for group in func.calls for call in group)
     for callee in (call.callee for call in calls):
-        if isinstance(callee, Member) and isinstance(callee.base, Member) and callee.base.base == THIS:
+        if isinstance(callee, Member) and is_own_member(callee.base):
             yield callee.name
 
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr
+from ecm_parsers.source.expr import THIS, Call, Expr
 
 from ecm_extract.infer.held import MAX_WAYS, Held, State
-from ecm_extract.link.code.handing_on import THIS
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, invocation_of

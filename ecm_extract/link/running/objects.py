@@ -6,11 +6,12 @@ import re
 from collections.abc import Hashable, Iterable, Mapping, Sequence
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.code.overloads import NO, is_countable, score
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.pointed import pointed as pointed_class
 from ecm_extract.link.code.spelling import is_pointer, last_name, plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
@@ -44,7 +45,7 @@ class Objects:
 
     def class_of(self, expr: Expr, env: Env) -> Cls | None:
         """Return the class in the tree that an object belongs to."""
-        if expr == Name("this"):
+        if expr == THIS:
             return env.this or env.func.cls
         return self.class_written(self.type_of(expr, env), env)
 
@@ -77,7 +78,7 @@ class Objects:
         if isinstance(expr, Name):
             known = self.scope.declared_type(expr.id, env) or self._assigned_type(expr.id, env)
             return known or self.file_scope.type_of(expr.id, env)
-        if isinstance(expr, Member) and expr.base == Name("this"):
+        if is_own_member(expr):
             cls = env.this or env.func.cls
             return self.scope.member_type(expr.name, cls) or self._member_assigned_type(expr.name, cls, env)
         if isinstance(expr, Member):
@@ -339,12 +340,11 @@ def _calls_super(call: Call, parent: Cls) -> bool:
 def _base_call(func: Func, parent: Cls) -> Invocation | None:
     """The call by which a constructor makes its base."""
     for at, statement in enumerate(func.fact.body):
-        value = statement.value
-        target = statement.target
+        value, target = statement.value, statement.target
         if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
             args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
             return Invocation(func, at, statement, target.id, None, one_node(func, args), (), (), statement.line)
         if isinstance(value, Call) and _calls_super(value, parent):
-            args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
+            args = value.args[1:] if value.args[:1] == (THIS,) else value.args
             return Invocation(func, at, statement, "super", None, args, value.keywords, (), statement.line)
     return None

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ecm_parsers.source.expr import Call
+from ecm_parsers.source.expr import THIS, Call
 
 from ecm_extract.infer.effects import calls_of
-from ecm_extract.link.code.handing_on import THIS, hands_on
+from ecm_extract.link.code.handing_on import hands_on
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.env import Env, invocation_of

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
-from ecm_extract.link.code.handing_on import THIS
+from ecm_extract.link.code.own import own_name
 from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.arguments import bind
@@ -58,7 +58,7 @@ class PartObjects:
         given = callee.fact.body[0].value
         if given == THIS:
             return call.callee.base
-        own = _own_member(given)
+        own = own_name(given)
         return Member(call.callee.base, own) if own in cls.fields else None
 
     def _member(self, expr: Expr | None, env: Env) -> str:
@@ -151,17 +151,10 @@ def _on(call: Call, name: str) -> Member | None:
     """The method that a call means of a member of the object at hand; None for other calls."""
     callee = call.callee
     base = callee.base if isinstance(callee, Member) else None
-    return callee if isinstance(callee, Member) and base in (Name(name), Member(Name("this"), name)) else None
+    return callee if isinstance(callee, Member) and base in (Name(name), Member(THIS, name)) else None
 
 
 def _beginnings(name: str, func: Func) -> Iterator[int]:
     for at, statement in enumerate(func.fact.body):
         if statement.kind == "init" and statement.target == Name(name):
             yield at
-
-
-def _own_member(expr: Expr | None) -> str:
-    """The member of the object at hand that an expression in one of its methods may be; empty for others."""
-    if isinstance(expr, Member):
-        return expr.name if expr.base == THIS else ""
-    return expr.id if isinstance(expr, Name) else ""

@@ -7,12 +7,13 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Final, NamedTuple
 
 from ecm_parsers.source import expr as expressions
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Text
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Text
 from ecm_parsers.source.facts import Constant, Statement
 
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.places import whole_of
 from ecm_extract.infer.unpacking import unstarred
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
@@ -155,7 +156,7 @@ class Scope:
             known = self._fields[func] = defaultdict(list)
             for at, statement in enumerate(func.fact.body):
                 target = statement.target
-                if isinstance(target, Member) and target.base != Name("this") and statement.kind == "set":
+                if isinstance(target, Member) and target.base != THIS and statement.kind == "set":
                     known[target.name].append(at)
         return known
 
@@ -200,7 +201,7 @@ class Scope:
 
 def _member_target(statement: Statement, params: set[str]) -> str:
     target = statement.target
-    if isinstance(target, Member) and target.base == Name("this"):
+    if is_own_member(target):
         return target.name
     if (
         isinstance(target, Name)
@@ -227,7 +228,7 @@ def _reached(expr: Expr | None, own: set[str]) -> str:
     while expr is not None:
         if isinstance(expr, Name):
             return "" if expr.id in own else expr.id
-        if isinstance(expr, Member) and expr.base == Name("this"):
+        if is_own_member(expr):
             return expr.name
         expr = whole_of(expr)
     return ""

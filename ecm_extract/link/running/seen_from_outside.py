@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Opaque
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Opaque
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.handing_on import THIS, hands_on
+from ecm_extract.link.code.handing_on import hands_on
 from ecm_extract.link.code.spelling import last_name, plain, pointee
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children

@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.unpacking import unstarred
@@ -59,7 +59,7 @@ def _of(func: Func, workspace: Workspace) -> Iterator[Finding]:
         text = f"{wanted} values are unpacked here, and {what} {made.values}"
         evidence = [Evidence(func.file.path, found.line), Evidence(made.path, made.line)]
         entity = Entity("function", f"{func.fact.scope}::{func.fact.name}", what)
-        own = isinstance(found.source, Taken) or Name("this") == getattr(found.source.callee, "base", None)
+        own = isinstance(found.source, Taken) or getattr(found.source.callee, "base", None) == THIS
         certainty: Certainty = "likely" if own else "proved"
         yield RULE.finding(text, entity, func.file.package, evidence, certainty=certainty)
 

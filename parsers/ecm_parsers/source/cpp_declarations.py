@@ -10,6 +10,7 @@ from ecm_parsers.source.cpp_containers import given, holds_several
 from ecm_parsers.source.cpp_declarators import (
     GROUPS,
     announced_end,
+    attributes,
     fixed_pointer,
     function_declarator,
     function_traits,
@@ -185,7 +186,6 @@ class DeclarationReader:
         traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
         specializes = specialized(self.expr, named) if place.written == () else None
         returns = self.expr.type_text(kind) if kind is not None else ""
-        decorators = tuple([self.expr.text(c) for c in node.named_children if c.type == "attribute_declaration"])
         self.functions.append(
             Function(
                 name,
@@ -196,7 +196,7 @@ class DeclarationReader:
                 tuple(read.writer.statements),
                 place.template,
                 traits,
-                decorators,
+                attributes(self.expr, node),
                 read.writer.flow(),
                 specializes=specializes,
             )

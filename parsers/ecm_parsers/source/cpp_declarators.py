@@ -101,6 +101,12 @@ def trailing_reference(declarator: Node | None) -> tuple[str, ...]:
     return ("reference",) if refers and not returned.startswith(b"const ") else ()
 
 
+def attributes(reader: ExprReader, node: Node) -> tuple[str, ...]:
+    """Return the attributes of a declaration one by one, with what they are given."""
+    groups = [child for child in node.named_children if child.type == "attribute_declaration"]
+    return tuple([reader.text(each) for group in groups for each in group.named_children])
+
+
 def announced_end(reader: ExprReader, node: Node) -> tuple[str, ...]:
     """Return `deprecated` when an attribute of a declaration says so: `[[deprecated("use b")]] int a;`."""
     for child in node.named_children:

@@ -15,6 +15,7 @@ from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
 from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.expr import (
+    THIS,
     Call,
     Expr,
     Items,
@@ -289,7 +290,7 @@ _READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
     "false": constant,
     "null": constant,
     "nullptr": constant,
-    "this": lambda reader, node: Name("this"),
+    "this": lambda reader, node: THIS,
     "identifier": _name,
     "field_identifier": _name,
     "type_identifier": _name,

@@ -1,6 +1,6 @@
 """Expressions of C++ and Python in one small vocabulary, so that values fold the same way in both.
 
-`this->x` and `self.x` are both `Member(Name("this"), "x")`. What has no counterpart here is `Opaque`.
+`this->x` and `self.x` are both `Member(THIS, "x")`. What has no counterpart here is `Opaque`.
 Records are array-like: they travel between processes and into the cache by the hundred thousand.
 """
 
@@ -128,3 +128,6 @@ class Opaque(_Node, frozen=True):
 Expr: TypeAlias = (
     Text | Number | Constant | Name | Member | Call | Op | Items | Table | Template | Lambda | Comprehension | Opaque
 )
+
+THIS: Final = Name("this")
+"""The object at hand of a method, in either language."""

@@ -12,7 +12,7 @@ from typing import Literal
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Expr, Items, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Constant, Field
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Loop, Switch
 from ecm_parsers.source.python_expr import parts, salvage
@@ -21,7 +21,6 @@ from ecm_parsers.source.python_literal import NULL, TRUE
 from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught, types_suppressed
 from ecm_parsers.source.python_scan import Scan, StatementHandler
 
-_THIS = Name("this")
 _DISPLAYS = ("tuple", "list", "expression_list")
 _LITERALS = frozenset(("string", "concatenated_string", "integer", "float", "true", "false", "none"))
 
@@ -113,7 +112,7 @@ def _record(scan: Scan, node: Node, left: Expr, value: Expr | None, type_: str =
     scan.emit("let" if value is None else "set", node, value, left, type_)
     if frame.place == "module" and isinstance(left, Name) and value is not None:
         scan.constants.append(Constant(left.id, "", value, node.start_point[0] + 1, type_))
-    if type_ and frame.fields is not None and isinstance(left, Member) and left.base == _THIS:
+    if type_ and frame.fields is not None and isinstance(left, Member) and left.base == THIS:
         frame.fields.append(Field(left.name, type_, node.start_point[0] + 1, value))
 
 

@@ -14,10 +14,9 @@ from typing import NamedTuple
 
 import msgspec
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Op, Opaque
+from ecm_parsers.source.expr import THIS, Call, Constant, Expr, Lambda, Member, Name, Op, Opaque
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 
-_THIS = Name("this")
 _AFTER = "__post_init__"
 
 
@@ -85,7 +84,7 @@ def generated_init(cls: Class, inside: str, methods: Sequence[str], imported: Im
     body = [*_of_bases(cls.line)] if derived else []
     body += [_set(each, derived) for each in taken]
     if _AFTER in methods:
-        body.append(Statement("do", cls.line, Call(Member(_THIS, _AFTER), (), line=cls.line)))
+        body.append(Statement("do", cls.line, Call(Member(THIS, _AFTER), (), line=cls.line)))
     params = [Parameter(each.field.name, each.field.type, each.default) for each in taken if each.is_given]
     every = [Parameter("*values"), Parameter("**named")]
     return Function("__init__", inside, tuple(every if derived else params), "", cls.line, cls.line, tuple(body))
@@ -122,7 +121,7 @@ def _set(taken: _Taken, derived: bool) -> Statement:
     """What a field is given; which of the arguments of a derived class that is cannot be told here."""
     given: Expr | None = Name(taken.field.name) if taken.is_given else taken.default
     value = Opaque("values") if derived and taken.is_given else given
-    return Statement("set", taken.field.line, value, Member(_THIS, taken.field.name))
+    return Statement("set", taken.field.line, value, Member(THIS, taken.field.name))
 
 
 def _of_bases(line: int) -> Iterator[Statement]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import msgspec
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Expr, Items, Member, Name, Opaque
+from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name, Opaque
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 from ecm_parsers.source.python_dataclasses import Imported, generated_init
 from ecm_parsers.source.python_expr import parts
@@ -15,7 +15,6 @@ from ecm_parsers.source.python_parameters import parameters
 from ecm_parsers.source.python_remade import is_remade
 from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler
 
-_THIS = Name("this")
 _PARTS_OF_CHOICE = 3
 """What `a if condition else b` has."""
 
@@ -146,7 +145,7 @@ def _method_names(
 
 def _hides_receiver(names: dict[bytes, Expr], params: tuple[Parameter, ...]) -> bool:
     """Whether a nested function has a parameter named like the receiver of the method around it."""
-    return any(names.get(param.name.encode()) == _THIS for param in params)
+    return any(names.get(param.name.encode()) == THIS for param in params)
 
 
 def _inside(scope: str, name: str) -> str:

@@ -15,6 +15,7 @@ from tree_sitter import Node
 
 from ecm_parsers.source.expr import (
     REST,
+    THIS,
     Call,
     Comprehension,
     Expr,
@@ -42,7 +43,6 @@ from ecm_parsers.source.python_literal import (
 from ecm_parsers.source.python_scan import EXTRAS, MAX_DOTTED_LENGTH, ExprHandler, Scan
 
 _OPERATORS: Mapping[str, str] = {"and": "&&", "or": "||", "is": "==", "is not": "!=", "<>": "!=", "not": "!"}
-_THIS = Name("this")
 _SKIPPED = EXTRAS | {"ERROR"}
 _F_PREFIXES = (b"f", b"F", b"t", b"T")
 
@@ -89,7 +89,7 @@ def _call(scan: Scan, node: Node) -> Expr:
             salvage(scan, child)
         elif kind not in EXTRAS:
             args.append(expr(child))
-    if args[:1] == [_THIS] and _is_of_base(scan, function):
+    if args[:1] == [THIS] and _is_of_base(scan, function):
         base = Call(Name("super"), (Text(scan.text(function.child_by_field_name("object"))),), line=line)
         callee, args = Member(base, scan.text(function.child_by_field_name("attribute"))), args[1:]
     return table_of(Call(callee, tuple(args), tuple(keywords), (), line, tuple(lines)))

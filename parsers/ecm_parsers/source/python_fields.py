@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Text
 
 FIELDS: Final = "__dict__"
 _GIVES: Final = "__setattr__"
@@ -37,7 +37,7 @@ def given_by(expr: Expr) -> Given | None:
     if isinstance(callee, Member) and callee.name in {_GIVES, _TAKES}:
         named = {_GIVES: 2, _TAKES: 1}[callee.name]
         own = isinstance(callee.base, Call) and callee.base.callee == Name("super")
-        args = (Name("this") if own else callee.base, *args) if len(args) == named else args
+        args = (THIS if own else callee.base, *args) if len(args) == named else args
     elif callee not in (Name("setattr"), Name("delattr")):
         return None
     if len(args) not in {2, 3}:

@@ -10,7 +10,7 @@ from typing import Literal, TypeAlias
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Expr, Member, Name, Number, Opaque, Text
+from ecm_parsers.source.expr import THIS, Expr, Member, Name, Number, Opaque, Text
 from ecm_parsers.source.facts import Class, Constant, Field, Function, Import, Statement, StatementKind
 from ecm_parsers.source.flow import Block, FlowWriter
 
@@ -146,7 +146,7 @@ class Scan:
 
     def names_of(self, receiver: bytes) -> dict[bytes, Expr]:
         """Names seen in methods whose first parameter is `receiver`."""
-        return self._receivers.setdefault(receiver, {receiver: Name("this")})
+        return self._receivers.setdefault(receiver, {receiver: THIS})
 
     def block(self, node: Node, deeper: int = 0) -> None:
         """Read the statements of a block that `deeper` more conditions enclose."""
