@@ -173,12 +173,11 @@ class Interpreter:
 
     def _read(self, at: int, env: Env, state: State) -> State:
         """The state after a statement has read parameters into variables."""
-        for target, name, default in self.frame.outline.reads.get(at, ()):
-            key = self.frame.effects.key(target)
+        for read in self.frame.outline.reads.get(at, ()):
+            key = self.frame.effects.key(read.out)
             if key:
-                state = self.memory.hold(
-                    key, Held("read", key, name, env, at, default, state.holds.get(key, ())), state
-                )
+                held = Held("read", key, read.name, env, at, read.default, state.holds.get(key, ()))
+                state = self.memory.hold(key, held, state)
         return state
 
     def _given(self, statement: Statement, at: int, env: Env, state: State) -> State:

@@ -16,15 +16,13 @@ from ecm_extract.infer.inner import function_named, only_called
 from ecm_extract.infer.places import caught_names, own_names, target_of
 from ecm_extract.infer.raising import may_raise
 from ecm_extract.infer.raising_calls import unpacks
+from ecm_extract.infer.read_into import Reads
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.walk import children, comprehensions
 
 if TYPE_CHECKING:
     from ecm_extract.infer.giving import WaysGiven
     from ecm_extract.link.code.units import Func
-
-Reads = Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]
-"""Statement -> (variable, name, default) of the parameters that are read into variables."""
 
 
 class Outline:
@@ -210,7 +208,7 @@ class Outline:
     def _changed_at(self, at: int) -> Set[str]:
         statement = self.func.fact.body[at]
         found = {effect.key for effect in self.effects.of(at)}
-        found |= {self.effects.key(target) or self.effects.root(target) for target, _, _ in self.reads.get(at, ())}
+        found |= {self.effects.key(read.out) or self.effects.root(read.out) for read in self.reads.get(at, ())}
         found |= {key for call in self.func.calls[at] for key in self.changed_by_inner(call)}
         if statement.kind != "do":
             found |= set(self.bound_keys(target_of(statement)))

@@ -11,12 +11,15 @@ NODE = """
 #include <std_msgs/msg/string.hpp>
 
 struct Topic {{ std::string name; }};
+struct Box {{ Topic topic; }};
 
 int main() {{
   auto node = std::make_shared<rclcpp::Node>("demo");
   std::vector<Topic> topics{{Topic{{"a"}}, Topic{{"b"}}}};
   topics[0].name = "c";
   Topic picked = pick();
+  Box box{{picked}};
+  use(box);
   {make}
 }}
 """
@@ -24,8 +27,11 @@ MAKE = "node->create_publisher<std_msgs::msg::String>({name}, 10);"
 ROWS = [
     ("another element", MAKE.format(name="topics[1].name")),
     ("another variable", f'Topic own; own.name = "c"; {MAKE.format(name="picked.name")}'),
+    ("what is made for a pointer", f'auto own = std::make_shared<Topic>(); own->name = "c"; {MAKE.format(name="picked.name")}'),
+    ("a part of another", f'auto own = std::make_shared<Topic>(); own->name = "c"; {MAKE.format(name="box.topic.name")}'),
+    ("another name of a part", f'Topic own; own.name = "c"; Topic & part = box.topic; {MAKE.format(name="part.name")}'),
     ("any element", f"for (const auto & topic : topics) {{ {MAKE.format(name='topic.name')} }}"),
-]
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("make", [row[1] for row in ROWS], ids=[row[0] for row in ROWS])
@@ -36,3 +42,38 @@ def test_what_one_object_is_given_is_not_told_of_the_others_alone(workspace: Any
     found = [entry for entry in package.interfaces() if entry.role == "publisher"]
     assert any("{" in entry.name for entry in found)
     assert all(entry.confidence != "folded" for entry in found)
+
+
+READ = """
+#include <ros/ros.h>
+struct Topic {{ std::string name; }};
+struct Other {{ std::string name; }};
+int main(int argc, char ** argv) {{
+  ros::NodeHandle nh;
+  Topic topic = pick();
+  Topic next = pick();
+  Other other;
+  nh.param<std::string>("topic", topic.name, "a");
+  nh.param<std::string>("other", other.name, "b");
+  ros::Publisher pub = nh.advertise<std_msgs::String>({name}, 1);
+}}
+"""
+READS = [("topic.name", [("/a", "default")]), ("other.name", [("/b", "default")])]
+
+
+@pytest.mark.parametrize(("name", "expected"), READS, ids=[row[0] for row in READS])
+def test_what_is_read_into_an_object_is_none_of_another_class(
+    workspace: Any, name: str, expected: list[tuple[str, str]]
+) -> None:
+    """Fields of two classes may have one name."""
+    text = READ.format(name=name)
+    package = workspace.package({"src/d.cpp": text, "CMakeLists.txt": "add_executable(d src/d.cpp)"}, ros=1)
+    assert [(each.name, each.confidence) for each in package.interfaces() if each.role == "publisher"] == expected
+
+
+def test_what_is_read_into_an_object_is_not_told_of_another_alone(workspace: Any) -> None:
+    """Of the other one nothing is known."""
+    text = READ.format(name="next.name")
+    package = workspace.package({"src/d.cpp": text, "CMakeLists.txt": "add_executable(d src/d.cpp)"}, ros=1)
+    published = {(each.name, each.confidence) for each in package.interfaces() if each.role == "publisher"}
+    assert published == {("/a", "one_of"), ("/{name}", "pattern")}

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
-from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.expr import THIS, Expr, Member, Name
 
+from ecm_extract.infer.read_into import ReadInto
 from ecm_extract.link.code.calls import Invocation, invocations
 from ecm_extract.link.code.overloads import NO, score
 from ecm_extract.link.code.units import Cls, File, Func
@@ -14,6 +15,7 @@ from ecm_extract.link.declaring.forms import Form, FormTable
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.parameter_reads import MethodRead
 from ecm_extract.link.running.values import Value
 
 Home = Cls | File | str
@@ -29,8 +31,8 @@ class Parameters:
     def __init__(self, forms: FormTable) -> None:
         self.forms = forms
         self._names = {name for name, rows in forms.items() if any(form.row.value for form in rows)}
-        self._written: dict[Func, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
-        self._by_class: dict[Cls, dict[str, list[tuple[Func, int, Expr, Expr | None]]]] = {}
+        self._written: dict[Func, dict[str, list[ReadInto]]] = {}
+        self._by_class: dict[Cls, dict[str, list[MethodRead]]] = {}
         self._defaults: dict[tuple[Home, str], tuple[Expr, Env] | Value] = {}
         self._several: set[tuple[Home, str]] = set()
         self._declared: set[tuple[str, str]] = set()
@@ -50,7 +52,7 @@ class Parameters:
     def _is_own(self, call: Invocation) -> bool:
         """Whether a call means a wrapper of its own class or file that is called like what it wraps."""
         wrappers = [func for func, _, _ in self._wrappers.get(call.last, ())]
-        if call.receiver == Name("this"):
+        if call.receiver == THIS:
             return any(func.cls is not None and func.cls is call.func.cls for func in wrappers)
         return call.receiver is None and any(func.cls is None and func.file is call.func.file for func in wrappers)
 
@@ -79,12 +81,12 @@ class Parameters:
         """Tell whether a row of the tables is about calls of a name."""
         return name in self.forms
 
-    def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
-        """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
+    def written(self, func: Func, target: str) -> Sequence[ReadInto]:
+        """Return the calls of a function that write a parameter to a variable, or `.field` to that of an object."""
         return self.all_written(func).get(target, [])
 
-    def all_written(self, func: Func) -> dict[str, list[tuple[int, Expr, Expr | None]]]:
-        """Return variable -> (statement, name, default) of the calls of a function that write a parameter."""
+    def all_written(self, func: Func) -> Mapping[str, Sequence[ReadInto]]:
+        """Return the calls of a function that write a parameter, by what they write to."""
         known = self._written.get(func)
         if known is None:
             known = self._written[func] = self._index(func)
@@ -93,44 +95,42 @@ class Parameters:
     def read_into(self, func: Func, name: Expr) -> list[str]:
         """Return the variables that a function reads a parameter into, by its name as written."""
         written = self.all_written(func).items()
-        return [target for target, entries in written if any(entry[1] == name for entry in entries)]
+        return [target for target, entries in written if any(entry.name == name for entry in entries)]
 
-    def members(self, cls: Cls, target: str) -> list[tuple[Func, int, Expr, Expr | None]]:
-        """Return (method, statement, name, default) of the calls of a class that write a parameter to a member."""
+    def members(self, cls: Cls, target: str) -> Sequence[MethodRead]:
+        """Return the calls of a class that write a parameter to a member."""
         known = self._by_class.get(cls)
         if known is None:
             known = self._by_class[cls] = defaultdict(list)
             for method in cls.methods:
                 for name, entries in self.all_written(method).items():
-                    known[name].extend((method, *entry) for entry in entries)
+                    known[name] += [MethodRead(method, entry) for entry in entries]
         return known.get(target, [])
 
-    def _index(self, func: Func) -> dict[str, list[tuple[int, Expr, Expr | None]]]:
-        found: dict[str, list[tuple[int, Expr, Expr | None]]] = defaultdict(list)
+    def _index(self, func: Func) -> dict[str, list[ReadInto]]:
+        found: dict[str, list[ReadInto]] = defaultdict(list)
         for call in invocations(func, self._relevant()):
-            entry = self._out(call)
-            if entry is not None:
-                target, name, default = entry
-                found[target].append((call.at, name, default))
+            read = self._out(call)
+            if read is not None and _variable(read.out):
+                found[_variable(read.out)].append(read)
         return found
 
     def _relevant(self) -> set[str]:
         return {*READERS, *self._names, *self._wrappers}
 
-    def _out(self, call: Invocation) -> tuple[str, Expr, Expr | None] | None:
+    def _out(self, call: Invocation) -> ReadInto | None:
         if call.last in READERS and len(call.args) >= 2:
-            target = _variable(call.args[1])
             default = call.args[2] if len(call.args) > 2 else None
-            return (target, call.args[0], default) if target else None
+            return ReadInto(call.at, call.args[1], call.args[0], default)
         form = self._form(call)
         if form is None:
             return self._wrapped_out(call)
-        target = _variable(next(positions(form.out, call), None))
-        if not target or len(call.args) < 3:
+        out = next(positions(form.out, call), None)
+        if out is None or len(call.args) < 3:
             return None
-        return target, call.args[0], next(positions(form.default, call), None)
+        return ReadInto(call.at, out, call.args[0], next(positions(form.default, call), None))
 
-    def _wrapped_out(self, call: Invocation) -> tuple[str, Expr, Expr | None] | None:
+    def _wrapped_out(self, call: Invocation) -> ReadInto | None:
         """A helper that writes the parameter to a variable that it gets by reference."""
         found = self._wrapped(call)
         if found is None:
@@ -139,7 +139,7 @@ class Parameters:
             for arg, parameter in zip(call.args, func.fact.params, strict=False):
                 reference = parameter.type.endswith("&") and "const" not in parameter.type
                 if reference and parameter.name != name and _variable(arg):
-                    return _variable(arg), *found
+                    return ReadInto(call.at, arg, *found)
         return None
 
     def declare(self, name: str, home: Home, default: tuple[Expr, Env] | Value) -> None:
@@ -182,5 +182,5 @@ def _written(default: tuple[Expr, Env] | Value) -> Expr | Value:
 def _variable(expr: Expr | None) -> str:
     """What a read writes to: a variable or member of `this` by its name, a field of another object as `.field`."""
     if isinstance(expr, Member):
-        return expr.name if expr.base == Name("this") else f".{expr.name}"
+        return expr.name if expr.base == THIS else f".{expr.name}"
     return expr.id if isinstance(expr, Name) else ""

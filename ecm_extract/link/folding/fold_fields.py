@@ -6,13 +6,16 @@ variables may have different names: what is assigned is told by the class of the
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Expr, Items, Member, Name, Op
 
+from ecm_extract.infer.read_into import ReadInto
+from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.walk import dotted, names_in
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.values import MAX_ALTERNATIVES, Value, alternatives, demoted, unknown
 
@@ -45,9 +48,9 @@ class FieldFolder:
         """What the function at hand writes, and functions that it hands the object to."""
         for func in (env.func, *self._helpers(expr, env)):
             limit = env.at if func is env.func else len(func.fact.body)
-            for at, name, default in self.folder.reads.written(func, f".{expr.name}"):
-                if at < limit:
-                    yield from self._read(func, at, name, default, env)
+            for read in self.folder.reads.written(func, f".{expr.name}"):
+                if read.at < limit:
+                    yield from self._read(expr, func, read, env)
             for at in self.folder.scope.fields(func).get(expr.name, ()):
                 if at < limit:
                     yield from self._set(expr, func, at, env)
@@ -74,9 +77,9 @@ class FieldFolder:
         """What other methods of the class at hand write."""
         cls = env.this or env.func.cls
         for entry in self.folder.program.ancestry(cls) if cls is not None else ():
-            for func, at, name, default in self.folder.reads.members(entry, f".{expr.name}"):
+            for func, read in self.folder.reads.members(entry, f".{expr.name}"):
                 if func is not env.func:
-                    yield from self._read(func, at, name, default, env)
+                    yield from self._read(expr, func, read, env)
             for place in self.folder.scope.class_fields(entry).get(expr.name, ()):
                 if place.func is not env.func and not self.folder.given_fields.is_set_later(place):
                     yield from self._set(expr, place.func, place.at, env)
@@ -89,38 +92,58 @@ class FieldFolder:
                 if place.func is not env.func and self.folder.given_fields.is_set_later(place):
                     yield from self._set(expr, place.func, place.at, env)
 
-    def _read(self, func: Func, at: int, name: Expr, default: Expr | None, env: Env) -> Iterable[Value]:
-        return self.folder.calls.parameter_value(name, default, self._inside(func, at, env))
+    def _read(self, expr: Member, func: Func, read: ReadInto, env: Env) -> Iterable[Value]:
+        inner = self._inside(func, read.at, env)
+        if not isinstance(read.out, Member) or self._is_same_kind(expr, env, read.out, inner) is False:
+            return ()
+        values = self.folder.calls.parameter_value(read.name, read.default, inner)
+        return _of_one(values, expr.name) if self._may_be_others(expr, env, read.out, inner) else values
 
     def _set(self, expr: Member, func: Func, at: int, env: Env) -> Iterable[Value]:
         statement, inner = func.fact.body[at], self._inside(func, at, env)
         target = statement.target
-        if not isinstance(target, Member) or not self._same_kind(expr.base, env, target.base, inner):
+        if not isinstance(target, Member) or not self._is_meant(expr, env, target, inner):
             return ()
         values = demoted(self.folder.fold(statement.value, inner))
-        is_other = _is_element(target.base) or (func is env.func and self._is_own(target.base, env))
-        apart = is_other and target.base != expr.base and not self._may_refer(expr.base, env)
-        return alternatives((*values, unknown(expr.name))) if apart else values
+        return _of_one(values, expr.name) if self._may_be_others(expr, env, target, inner) else values
+
+    def _may_be_others(self, expr: Member, env: Env, target: Member, inner: Env) -> bool:
+        """Tell whether what is written to is a field of another object of the class, as far as that is known."""
+        is_other = _is_element(target.base) or self._is_own(target.base, inner)
+        same = target.base == expr.base and (inner.func is env.func or not self._is_declared(target.base, inner))
+        return is_other and not same and not self._may_refer(expr.base, target.base, env)
 
     def _is_own(self, expr: Expr, env: Env) -> bool:
-        """Tell whether a variable is an object itself."""
-        return isinstance(expr, Name) and by_value(self.folder.scope.declared_type(expr.id, env))
+        """Tell whether a variable is an object itself, or points to one that is made for it."""
+        if not isinstance(expr, Name):
+            return False
+        begun = [entry.value for entry in env.func.fact.body if entry.kind == "let" and entry.target == expr]
+        made = any(value is not None and pointed(value) for value in begun)
+        return made or by_value(self.folder.scope.declared_type(expr.id, env))
 
-    def _may_refer(self, expr: Expr, env: Env) -> bool:
-        """Tell whether a variable may be another name of an object that the function has."""
-        return isinstance(expr, Name) and self.folder.scope.declared_type(expr.id, env).endswith(("&", "*"))
+    def _may_refer(self, expr: Expr, to: Expr, env: Env) -> bool:
+        """Tell whether a variable may be another name of an object that a function has."""
+        if not isinstance(expr, Name) or not self.folder.scope.declared_type(expr.id, env).endswith(("&", "*")):
+            return False
+        begun = [entry.value for entry in env.func.fact.body if entry.kind == "let" and entry.target == expr]
+        named = {name for value in begun for name in names_in(value)}
+        return not begun or not isinstance(to, Name) or to.id in named
 
-    def _same_kind(self, one: Expr, env: Env, other: Expr, inner: Env) -> bool:
+    def _is_meant(self, one: Member, env: Env, other: Member, inner: Env) -> bool:
         """Tell whether two objects are of one class, or called the same where a class is not known."""
-        first = self.folder.objects.class_of(one, env)
-        second = self.folder.objects.class_of(other, inner)
-        if first is not None and second is not None:
-            return first is second
-        return one == other and (inner.func is env.func or not self._is_declared(one, env))
+        same = self._is_same_kind(one, env, other, inner)
+        alike = one.base == other.base and (inner.func is env.func or not self._is_declared(one.base, env))
+        return alike if same is None else same
+
+    def _is_same_kind(self, one: Member, env: Env, other: Member, inner: Env) -> bool | None:
+        """Tell whether the objects of two fields are of one class; None where that is not known."""
+        first = self.folder.objects.class_of(one.base, env)
+        second = self.folder.objects.class_of(other.base, inner)
+        return first is second if first is not None and second is not None else None
 
     def _is_declared(self, expr: Expr, env: Env) -> bool:
         """Tell whether a variable is one of the function at hand: another function has none of that name in common."""
-        name = Name(_root_name(expr))
+        name = Name((dotted(expr) or "").partition(".")[0])
         declared = [entry.target for entry in env.func.fact.body if entry.kind in {"let", "each"}]
         return any(name == target or (isinstance(target, Items) and name in target.items) for target in declared)
 
@@ -140,10 +163,9 @@ class FieldFolder:
         return Env(func, at, this=func.cls and (env.this or func.cls), depth=env.depth + 1)
 
 
-def _root_name(expr: Expr) -> str:
-    while isinstance(expr, Member):
-        expr = expr.base
-    return expr.id if isinstance(expr, Name) else ""
+def _of_one(values: Sequence[Value], name: str) -> Sequence[Value]:
+    """What one object of a class is given, told of any."""
+    return alternatives((*values, unknown(name)))
 
 
 def _is_element(expr: Expr) -> bool:

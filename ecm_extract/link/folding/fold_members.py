@@ -6,6 +6,7 @@ from collections.abc import Collection, Hashable, Iterator
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
+    THIS,
     Call,
     Expr,
     Member,
@@ -16,6 +17,7 @@ from ecm_extract.infer.held import Held, all_ways
 from ecm_extract.infer.places import whole_of
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.begun_fields import begun_field
@@ -58,7 +60,7 @@ class MemberFolder:
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.of(ways, env)
-        if expr.base == Name("this"):
+        if expr.base == THIS:
             first = self.folder.held.at_first(expr.name, env) if self.folder.names.is_fresh(env) else ()
             if first:
                 return first
@@ -92,7 +94,7 @@ class MemberFolder:
     def _is_of_lost(self, expr: Expr | None, env: Env) -> bool:
         """Tell whether an object is, or is in, a variable that somebody may have changed who is not followed."""
         while expr is not None:
-            if isinstance(expr, Name | Member) and expr != Name("this"):
+            if isinstance(expr, Name | Member) and expr != THIS:
                 helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
                 if any(held.how == "lost" for held in all_ways(helds)):
                     return True
@@ -106,7 +108,7 @@ class MemberFolder:
 
     def _of_given(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """A part of what callers, or the makers of the object, pass, of which Python need not say the type."""
-        own = isinstance(expr.base, Member) and expr.base.base == Name("this")
+        own = is_own_member(expr.base)
         if env.func.file.language != "python" or not (own or isinstance(expr.base, Name)):
             return ()
         return next(filter(None, (_taken_of(value, expr.name) for value in self.folder.fold(expr.base, env))), ())
@@ -145,7 +147,7 @@ class MemberFolder:
         """`params_.a.b` of generate_parameter_library: the default of parameter `a.b`."""
         path: list[str] = []
         node: Expr = expr
-        while isinstance(node, Member) and node.base != Name("this"):
+        while isinstance(node, Member) and node.base != THIS:
             path.insert(0, node.name)
             node = node.base
         name, package = ".".join(path), env.func.file.package
@@ -200,10 +202,10 @@ class MemberFolder:
             if place.func.file.language != "python" or not _is_as_given(held):
                 values += self.folder.held.values(held, place)
         for entry in self.folder.program.ancestry(cls):
-            for method, at, read, default in self.folder.reads.members(entry, name):
-                if at not in self._reads_of(method, name):
-                    place = self._method_env(method, cls, env)
-                    values += self.folder.calls.parameter_value(read, default, place.within(None, at))
+            for method, read in self.folder.reads.members(entry, name):
+                if read.at not in self._reads_of(method, name):
+                    place = self._method_env(method, cls, env).within(None, read.at)
+                    values += self.folder.calls.parameter_value(read.name, read.default, place)
         making = [place.func for held, place in sources if _makes(held)]
         if not any(func.is_constructor for func in making) or self._is_left_alone(cls, making, env):
             values += [each for each in self.initial(name, cls, env) if not making or _may_stay(each)]
@@ -228,7 +230,7 @@ class MemberFolder:
         """The statements whose reads of parameters the run of a method has followed into the member."""
         found = self.folder.flow.reads(method)
         effects = self.folder.flow.effects(method)
-        return [at for at, entries in found.items() if any(effects.key(entry[0]) == f".{name}" for entry in entries)]
+        return [at for at, entries in found.items() if any(effects.key(entry.out) == f".{name}" for entry in entries)]
 
     def initial(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return what a member holds before any method runs: its default; that of a derived class hides others."""

@@ -14,6 +14,7 @@ from ecm_extract.infer.interpreter import Interpreter
 from ecm_extract.infer.judge import Kept
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import as_written
+from ecm_extract.infer.read_into import Reads
 from ecm_extract.infer.routes import Fork, Verdict
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.naming_calls import leaves_arguments
@@ -337,8 +338,8 @@ class Flow:
         """Tell whether no program runs a function more than once."""
         return self.folder.runs_once.of(func)
 
-    def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
-        """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
+    def reads(self, func: Func) -> Reads:
+        """Return the parameters that a function reads into variables."""
         return read_into(self.folder.reads.all_written(func))
 
     def settle(self, held: Held) -> None:

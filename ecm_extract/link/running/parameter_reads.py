@@ -4,14 +4,23 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
-from ecm_parsers.source.expr import Expr, Name
+from ecm_parsers.source.expr import Expr
 
+from ecm_extract.infer.read_into import ReadInto, Reads
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.own import own_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import Value
+
+
+class MethodRead(NamedTuple):
+    """A call in a method that writes a parameter to a member of its object, or to a field of another one."""
+
+    method: Func
+    read: ReadInto
 
 
 class ParameterReads(Protocol):
@@ -23,11 +32,11 @@ class ParameterReads(Protocol):
     def knows(self, name: str) -> bool:
         """Tell whether a row of the tables is about calls of a name."""
 
-    def all_written(self, func: Func) -> Mapping[str, Sequence[tuple[int, Expr, Expr | None]]]:
-        """Return variable -> (statement, name, default) of the calls of a function that write a parameter to it."""
+    def all_written(self, func: Func) -> Mapping[str, Sequence[ReadInto]]:
+        """Return the calls of a function that write a parameter, by what they write to."""
 
-    def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
-        """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
+    def written(self, func: Func, target: str) -> Sequence[ReadInto]:
+        """Return the calls of a function that write a parameter to a variable, or `.field` to that of an object."""
 
     def read_into(self, func: Func, name: Expr) -> list[str]:
         """Return the variables that a function reads a parameter into, by its name as written."""
@@ -35,8 +44,8 @@ class ParameterReads(Protocol):
     def forget(self) -> None:
         """Drop what was remembered, since more is known now."""
 
-    def members(self, cls: Cls, target: str) -> list[tuple[Func, int, Expr, Expr | None]]:
-        """Return (method, statement, name, default) of the calls of a class that write a parameter to a member."""
+    def members(self, cls: Cls, target: str) -> Sequence[MethodRead]:
+        """Return the calls of a class that write a parameter to a member."""
 
     def is_declared(self, name: str, package: str) -> bool:
         """Tell whether a package declares a parameter, with a default or without."""
@@ -45,13 +54,9 @@ class ParameterReads(Protocol):
         """Return the declared default of a parameter: by its owners first, then by the package where it has one."""
 
 
-def read_into(
-    written: Mapping[str, Sequence[tuple[int, Expr, Expr | None]]],
-) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
-    """Return statement -> (variable, name, default) of what is read into variables, not into their fields."""
-    found: dict[int, list[tuple[Expr, Expr, Expr | None]]] = defaultdict(list)
-    for target, entries in written.items():
-        for at, name, default in entries:
-            if not target.startswith("."):
-                found[at].append((Name(target), name, default))
+def read_into(written: Mapping[str, Sequence[ReadInto]]) -> Reads:
+    """Return by their statements what is read into variables, not into their fields."""
+    found: dict[int, list[ReadInto]] = defaultdict(list)
+    for read in (each for reads in written.values() for each in reads if own_name(each.out)):
+        found[read.at].append(read)
     return found
