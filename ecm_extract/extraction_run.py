@@ -50,13 +50,13 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         packages = reader.read(options.jobs, options.progress)
         read_with_header_macros(packages, tree, config.headers)
         forms = form_table(config.forms)
-        report_undecided(packages, tree, forms.keys())
         linker = Linker(packages, forms)
         linker.declare()
         work = partial(source_requirements, linker.program, linker.folder.objects)
         of_sources = meanwhile(work, options.jobs) if options.hub else work
         linked = linker.attributed()
         linker.tell(tree)
+        report_undecided(packages, tree, forms.keys() | linker.helpers)
         contracts = assemble(tree, packages, linked)
         if options.hub:
             workspace = Workspace(tree, packages, linked, linker.program, linker.folder.objects)

@@ -120,6 +120,7 @@ class Linker:
         self.names = NodeNames(self.folder, self.sites)
         self.generated = GeneratedParameters(self.sites, packages)
         self.parameter_sites: list[Site] = []
+        self.helpers: frozenset[str] = frozenset()  # names of functions that lead to what is declared
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
         self.ownership = Ownership(self.sites, self.modules, makers)
@@ -148,8 +149,9 @@ class Linker:
         nodes = self._class_nodes()
         self.modules.find({unit: name.text for unit, name in nodes.items()})
         found: dict[Module, list[Interface]] = defaultdict(list)
-        others = self.sites.find(parameters=False)
-        for site in [*others, *self.parameter_sites]:
+        sites = [*self.sites.find(parameters=False), *self.parameter_sites]
+        self.helpers = frozenset([each.func.fact.name for site in sites for each in (*site.chain, site.call)])
+        for site in sites:
             self._attribute(site, found, nodes)
         self._generate(found)
         activation = Activation(self.sites, self.registry.programs)
@@ -315,10 +317,8 @@ class Linker:
             return [(fixed_name(site, self.folder), None)]
         default = next(positions(form.default, call), None)
         if form.items:
-            listed = [
-                (each.name, each.default.expr if each.default else None)
-                for each in listed_parameters(site, self.folder)
-            ]
+            found = listed_parameters(site, self.folder)
+            listed = [(each.name, each.default.expr if each.default else None) for each in found]
             return listed or [(unknown("parameters"), None)]
         values = self.sites.names(site)
         default = default or fallback(site, site.call.at, self.folder)

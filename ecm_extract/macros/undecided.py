@@ -23,7 +23,7 @@ def report_undecided(packages: Sequence[PackageFacts], tree: Tree, callees: Coll
     Args:
         packages: what was read.
         tree: which is told.
-        callees: last names of what declares interfaces, by the rows of forms.
+        callees: last names of what declares interfaces, by the rows of forms or by the functions of the tree.
     """
     for package in packages:
         for path, facts in package.sources.items():

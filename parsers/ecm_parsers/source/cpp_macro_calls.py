@@ -2,9 +2,9 @@
 
 `#define PUB(var, type, name) var = node->create_publisher<type>(name, 10)` declares what each `PUB(...)` declares, and
 a list of rows `#define ROWS ROW(a, 1) ROW(b, 2)` what its row declares where it is used. Put in are macros that call
-something through an object or a namespace, and those that lead to one; where several definitions may hold, the text
-stays as it is written. Lines stay as they were. Source: [cpp.replace], [cpp.subst], [cpp.stringize], [cpp.concat],
-[cpp.rescan] of the C++ standard.
+something, and those that lead to one; where several definitions may hold, the text
+stays as it is written. Lines stay as they were. Source: [cpp.replace], [cpp.subst] with `__VA_OPT__`, [cpp.stringize],
+[cpp.concat], [cpp.rescan] of the C++ standard.
 """
 
 import re
@@ -17,6 +17,7 @@ from ecm_parsers.source.cpp_macro_definitions import (
     Definitions,
     exported,
     is_calling,
+    is_cut_off,
     leading,
     order,
     replacement,
@@ -37,7 +38,8 @@ _PART: Final = re.compile(
     rb"(?P<quoted>\"(?:[^\"\\\n]|\\.)*\")|(?P<joint>\s*\#\#\s*)|\#\s*(?P<text>\w+)|(?P<word>[A-Za-z_]\w*)"
 )
 _REST: Final = b"__VA_ARGS__"
-MAX_CALLS = 2_000
+_OPTIONAL: Final = re.compile(rb"\b__VA_OPT__\b")
+MAX_CALLS = 20_000
 """Calls in a file beyond which all stay as they are written."""
 MAX_PUT = 1_000_000
 """Bytes that macros may stand for in a file, beyond which all stay as they are written."""
@@ -52,7 +54,7 @@ class Expanded(NamedTuple):
 
     Attributes:
         exported: the macros that a file which includes it can call.
-        is_cut: more stands for macros than is put in.
+        is_cut: more stands for macros than is put in, or the text of one is too long to be looked at.
         undecided: what macros that it calls, and that may call something, may stand for: which one holds is not known.
     """
 
@@ -88,17 +90,18 @@ def with_macro_calls(data: bytes, brought: Sequence[Replacement] = ()) -> Expand
     """
     if not brought and HINT.search(data) is None:
         return Expanded(data)
-    written = [replacement(each.rest) for each in directives(data) if each.word == b"define"]
-    known = [*brought, *[each for each in written if each is not None]]
+    written = [each.rest for each in directives(data) if each.word == b"define"]
+    known = [*brought, *[each for each in map(replacement, written) if each is not None]]
     calling = {each.name for each in known if is_calling(each)}
     if not calling:
-        return Expanded(data, exported(_held_at_end(data)))
+        return Expanded(data, exported(_held_at_end(data)), any(map(is_cut_off, written)))
     calling = leading(calling, known)
     around = {each.name for each in known if each.params is not None}
     definitions = Definitions(brought)
     putting = _Put(definitions, calling, around)
     put = putting.into(data)
-    return Expanded(put, exported(definitions), putting.is_cut, tuple(sorted(putting.undecided, key=order)))
+    is_cut = putting.is_cut or any(map(is_cut_off, written))
+    return Expanded(put, exported(definitions), is_cut, tuple(sorted(putting.undecided, key=order)))
 
 
 def _held_at_end(data: bytes) -> Definitions:
@@ -196,7 +199,8 @@ class _Put:
         if self._is_full() or longest * len(_PART.findall(macro.body)) > MAX_PUT:
             self.is_cut = True
             return None
-        return self._code(_Body(bound).of(macro.body), (*inside, macro.name))
+        body = _with_options(macro.body, bool(list(written.values())[-1]))
+        return self._code(_Body(bound).of(body), (*inside, macro.name))
 
 
 class _Body:
@@ -224,6 +228,19 @@ class _Body:
         put = b" ".join(put.split(b"\n")) if name in self.used else put
         self.used.add(name)
         return put
+
+
+def _with_options(body: bytes, is_given: bool) -> bytes:
+    """A body with what each `__VA_OPT__(...)` stands for: its content where there are more arguments than names."""
+    pieces: list[bytes] = []
+    position = 0
+    for match in _OPTIONAL.finditer(body):
+        found = _arguments(body, match.end()) if match.start() >= position else None
+        if found is not None:
+            content = body[match.end() : found.end].strip()[1:-1]
+            pieces += [body[position : match.start()], content if is_given else b""]
+            position = found.end
+    return b"".join([*pieces, body[position:]])
 
 
 def _given(macro: Replacement, data: bytes, start: int) -> _Arguments | None:

@@ -19,7 +19,18 @@ HINT: Final = re.compile(
 _DEFINED: Final = re.compile(rb"(?P<name>\w+)(?:\((?P<params>[^()]*)\))?(?P<body>.*)", re.DOTALL)
 _NAME: Final = re.compile(rb"\w+")
 _WORD: Final = re.compile(rb"[A-Za-z_]\w*")
-_CALLS: Final = re.compile(rb"(?:->|\.|::)\s*(?:template\s+)?[A-Za-z_]\w*(?:\s*\#\#\s*\w+)*\s*[(<]")
+_METHOD: Final = re.compile(rb"(?:->|\.|::)\s*+(?:template\s++)?+[A-Za-z_]\w*+(?:\s*+\#\#\s*+\w++)*+\s*+[(<]")
+_FUNCTION: Final = re.compile(
+    rb"\b(?P<name>[A-Za-z_]\w*+)(?:\s*+\#\#\s*+\w++)*+\s*+(?:<[^;{}()]{0,200}>\s*+)?+\(",
+)
+_WORDS: Final = frozenset(
+    b"""alignas alignof asm assert case catch const_cast decltype defined delete do dynamic_cast else explicit for if
+    new noexcept operator reinterpret_cast requires return sizeof static_assert static_cast switch throw typeid
+    while
+    auto bool char char8_t char16_t char32_t double float int long short signed unsigned void wchar_t
+    __attribute__ __declspec _Pragma""".split()
+)
+"""What stands before parentheses and calls no function. Source: [lex.key] of the C++ standard, GCC's attributes."""
 _ROWS: Final = re.compile(rb"[A-Za-z_]\w*\s*\(.*\)\s*;?", re.DOTALL)
 """What may be calls of macros one behind the other."""
 _ALONE: Final = re.compile(rb"(?:\A|[{};])\s*(\w+)\s+(?=[\w}])")
@@ -27,8 +38,8 @@ _ALONE: Final = re.compile(rb"(?:\A|[{};])\s*(\w+)\s+(?=[\w}])")
 _CALLED: Final = re.compile(
     rb"[^;{}()\"]*(?:->|\.)\s*(?:template\s+)?[A-Za-z_]\w*(?:\s*<[^;{}()]*>)?|[A-Za-z_]\w*\s*<[^;{}()]*>"
 )
-MAX_BODY = 4_000
-"""A longer body, in bytes, is left as it is."""
+MAX_BODY = 40_000
+"""A longer definition, in bytes, is left as it is."""
 MAX_PATH = 40
 """Conditionals around a definition that are told apart."""
 MAX_HELD = 8
@@ -43,24 +54,35 @@ class _Held(NamedTuple):
 
 
 def replacement(rest: bytes) -> Replacement | None:
-    """Return what a `#define` says of its name; None for what is not followed: a long text, `__VA_OPT__`.
+    """Return what a `#define` says of its name; None for a text that is too long to follow.
 
     Args:
         rest: what stands behind `#define`, without comments.
     """
-    match = _DEFINED.fullmatch(rest)
-    if match is None or b"__VA_OPT__" in rest or len(rest) > MAX_BODY:
+    match = _DEFINED.fullmatch(rest) if len(rest) <= MAX_BODY else None
+    if match is None:
         return None
     written = match["params"]
     params = tuple([each.strip() for each in written.split(b",")]) if written and written.strip() else ()
     return Replacement(match["name"], None if written is None else params, match["body"].strip())
 
 
+def is_cut_off(rest: bytes) -> bool:
+    """Tell whether what stands behind `#define` may call something, but is too long to be followed."""
+    return len(rest) > MAX_BODY and calls_any(rest.partition(b")")[2])
+
+
 def is_calling(definition: Replacement) -> bool:
-    """Tell whether a macro calls something through an object or a namespace, or is itself called: `node->open<T>`."""
+    """Tell whether a macro calls something, or is itself called: `node->open<T>`."""
     if definition.params is None:
         return _CALLED.fullmatch(definition.body) is not None
-    return _CALLS.search(definition.body) is not None
+    return calls_any(definition.body)
+
+
+def calls_any(body: bytes) -> bool:
+    """Tell whether a text calls a function, or a method of something."""
+    called = (match["name"] for match in _FUNCTION.finditer(body))
+    return _METHOD.search(body) is not None or any(name not in _WORDS for name in called)
 
 
 class Definitions:

@@ -6,12 +6,15 @@ from time import monotonic
 
 import pytest
 from ecm_parsers.source.cpp_macro_calls import MAX_CALLS, MAX_PUT, with_macro_calls
+from ecm_parsers.source.cpp_macro_definitions import MAX_BODY
 
 PUB = "#define PUB(var, type, ...) do { log(#type); var = node->create<type>(__VA_ARGS__); } while (0)\n"
+OPT = "#define ASK(name, ...) node->ask(name __VA_OPT__(, more(__VA_ARGS__)), 1)\n"
 GET = "#define GET(name) node->get(name)\n"
 ROWS = [
     (PUB, 'PUB(a_, a::T, "a", 10);', 'do { log("a::T"); a_ = node->create<a::T>("a", 10); } while (0);'),
     (GET, "int x = GET(f(a, b)) + 1;", "int x = node->get(f(a, b)) + 1;"),
+    (OPT, "ASK(a); ASK(a, b, c);", "node->ask(a , 1); node->ask(a , more(b, c), 1);"),
     (GET, "GET(//what\n  a);", "node->get(\n  a);"),
     (GET + "#define ALL(x) a.run(GET(x))\n", "ALL(1);", "a.run(node->get(1));"),
     ("#define OPEN node->create<a::T>\n", "OPEN(1); x = OPEN;", "node->create<a::T>(1); x = OPEN;"),
@@ -32,6 +35,10 @@ ROWS = [
     (GET + "#ifdef A\n#undef GET\n#define GET(x) node->ask(x)\n#endif\n", "GET(a);", "GET(a);"),
     ("#ifdef A\n" + GET + "#undef GET\n#define GET(x) node->ask(x)\n#endif\n", "GET(a);", "node->ask(a);"),
     ("#define SUM(a) ((a) + 1)\n", "SUM(x);", "SUM(x);"),
+    ("#define SUM(a) if (sizeof(a) > 1) (int)(a)\n", "SUM(x);", "SUM(x);"),
+    ("#define GET(a) get<int>(#a)\n", "GET(x);", 'get<int>("x");'),
+    ("#define GET(a) get_##a(1)\n", "GET(x);", "get_x(1);"),
+    ("#define OPEN(a) node->create<a>\n", "OPEN(T)(1);", "node->create<T>(1);"),
     (GET + "#undef GET\n", "GET(a);", "GET(a);"),
     ("#ifdef A\n" + GET + "#else\n#define GET(name) node->ask(name)\n#endif\n", "GET(a);", "GET(a);"),
     ("#define AGAIN(a) node->get(AGAIN(a))\n", "NOT_AGAIN(a); AGAIN(b);", "NOT_AGAIN(a); node->get(AGAIN(b));"),
@@ -55,6 +62,13 @@ def test_a_file_of_too_many_calls_is_left_alone() -> None:
     """Macros that call each other cannot make a file grow without end."""
     data = (GET + "GET(a);\n" * (MAX_CALLS + 1)).encode()
     assert with_macro_calls(data).data == data
+
+
+def test_a_macro_that_is_too_long_is_told() -> None:
+    """What it would declare is not known; a table of numbers declares nothing."""
+    long = "/* */ " + "a, " * MAX_BODY
+    assert with_macro_calls(f"#define GET(name) {long} node->get(name)\nGET(a);\n".encode()).is_cut
+    assert not with_macro_calls(f"{GET}#define TABLE(name) {long}\nTABLE(a);\n".encode()).is_cut
 
 
 MANY = 3_000
