@@ -90,9 +90,11 @@ class Exits:
         what = self._frame.judge.exceptions.kind(spelled, self._frame.env.func) if spelled else again
         self.raised(state, what, self._made(state) if spelled else None)
 
-    def _made(self, state: State) -> Held:
-        """What the statement at hand makes, which is raised behind it."""
+    def _made(self, state: State) -> Held | None:
+        """What the statement at hand makes, which Python raises behind it."""
         at = self._frame.at
+        if not self._frame.python:
+            return None
         return Held("caught", "", self._frame.body[at].value, self._frame.place(state), at)
 
     def raised(self, state: State, what: Kind | Raising | None, made: Held | None = None) -> None:

@@ -16,10 +16,12 @@ _SUPPRESSING: Final = "suppress"
 
 
 def raised(scan: Scan, node: Node) -> None:
-    """Read `raise`, with what is raised."""
-    for child in parts(node):
-        scan.do(child)
+    """Read `raise`, with what is raised: a statement of its own, just before the function is left."""
     value = next(iter(parts(node)), None)
+    for cause in [*parts(node)][1:]:
+        scan.do(cause)
+    if value is not None:
+        scan.emit("do", node, scan.expr(value))
     made = value.child_by_field_name("function") if value is not None and value.type == "call" else value
     scan.frame.flow.add(Leave("throw", scan.text(made) if made is not None else ""))
 
