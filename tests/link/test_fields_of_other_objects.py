@@ -30,6 +30,7 @@ ROWS = [
     ("what is made for a pointer", f'auto own = std::make_shared<Topic>(); own->name = "c"; {MAKE.format(name="picked.name")}'),
     ("a part of another", f'auto own = std::make_shared<Topic>(); own->name = "c"; {MAKE.format(name="box.topic.name")}'),
     ("another name of a part", f'Topic own; own.name = "c"; Topic & part = box.topic; {MAKE.format(name="part.name")}'),
+    ("a part of a copy", f'Box own = box; own.topic.name = "c"; {MAKE.format(name="box.topic.name")}'),
     ("any element", f"for (const auto & topic : topics) {{ {MAKE.format(name='topic.name')} }}"),
 ]  # fmt: skip
 

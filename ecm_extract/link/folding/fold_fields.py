@@ -114,7 +114,9 @@ class FieldFolder:
         return is_other and not same and not self._may_refer(expr.base, target.base, env)
 
     def _is_own(self, expr: Expr, env: Env) -> bool:
-        """Tell whether a variable is an object itself, or points to one that is made for it."""
+        """Tell whether a variable is an object itself, or points to one that is made for it; so are parts of those."""
+        if isinstance(expr, Member):
+            return self._is_own(expr.base, env) and by_value(self.folder.objects.type_of(expr, env))
         if not isinstance(expr, Name):
             return False
         begun = [entry.value for entry in env.func.fact.body if entry.kind == "let" and entry.target == expr]
