@@ -9,6 +9,7 @@ from ecm_checker.contract import Contract, Interface
 
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
+from ecm_extract.link.running.faults import CODE
 from ecm_extract.tree import open_tree
 
 _HEAD = "<name>{name}</name><version>1.0.0</version>"
@@ -33,6 +34,7 @@ class Workspace:
 
     def modules(self) -> dict[str, Contract]:
         extraction = extract(open_tree(self.root), Options(jobs=1))
+        assert not [entry for entry in extraction.diagnostics if entry.code == CODE]
         return {m.ecm.module_id: m for package in extraction.packages for m in package.modules}
 
     def interfaces(self) -> list[Interface]:

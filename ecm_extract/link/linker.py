@@ -152,7 +152,8 @@ class Linker:
         sites = [*self.sites.find(parameters=False), *self.parameter_sites]
         self.helpers = frozenset([each.func.fact.name for site in sites for each in (*site.chain, site.call)])
         for site in sites:
-            self._attribute(site, found, nodes)
+            with self.folder.faults.of(site.root):
+                self._attribute(site, found, nodes)
         self._generate(found)
         activation = Activation(self.sites, self.registry.programs)
         self._given_out(observations(self.sites, activation), self._observed)
@@ -172,7 +173,7 @@ class Linker:
 
     def tell(self, tree: Tree) -> None:
         """Report the places whose values were not computed to the end to the tree that they stand in."""
-        for entry in self.folder.steps.left_out():
+        for entry in (*self.folder.steps.left_out(), *self.folder.faults.told()):
             tree.report(entry)
 
     def _given_out(self, found: Iterable[tuple[Unit, _Found]], by_module: dict[Module, list[_Found]]) -> None:
@@ -182,13 +183,9 @@ class Linker:
                 by_module[module].append(entry)
 
     def _class_nodes(self) -> dict[Cls, NodeName]:
-        nodes: dict[Cls, NodeName] = {}
-        for group in self.program.classes.values():
-            for cls in group:
-                name = self.names.of_class(cls) if self.modules.is_module(cls) else None
-                if name is not None:
-                    nodes[cls] = name
-        return nodes
+        classes = (cls for group in self.program.classes.values() for cls in group if self.modules.is_module(cls))
+        names = {cls: self.names.of_class(cls) for cls in classes}
+        return {cls: name for cls, name in names.items() if name is not None}
 
     def _declare_ports(self) -> None:
         """Behaviour tree ports carry defaults like parameters do: `InputPort<T>("name", default, "description")`."""

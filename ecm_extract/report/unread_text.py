@@ -17,7 +17,7 @@ _WHAT: Final[Mapping[Reason, str]] = {
     "too-large": "file(s) larger, deeper or slower to parse than what is read",
     "unreadable": "file(s) or folder(s) without permission, or cut off",
     "malformed": "package.xml that cannot be read as one",
-    "unjudged": "file(s) beyond what one run of lint judges, or rule(s) that stopped",
+    "unjudged": "file(s) beyond what one run of lint judges, or rule(s) or function(s) at which it stopped",
     "undecided": "file(s) that call macros of which a build chooses the definition",
     "excluded": "pattern(s) of `exclude` in ecm.toml",
     "ignored": "folder(s) left out by COLCON_IGNORE, CATKIN_IGNORE or AMENT_IGNORE",
@@ -29,7 +29,7 @@ _DO: Final[Mapping[Reason, str]] = {
     "too-large": "split it, or leave it out on purpose with `exclude` in ecm.toml",
     "unreadable": "check the permissions and run again",
     "malformed": "correct it",
-    "unjudged": "lint the packages one by one; a rule that stopped is a bug to report, with ECM_DEBUG=1",
+    "unjudged": "lint the packages one by one; what stopped is a bug to report, with ECM_DEBUG=1",
 }
 
 

@@ -94,8 +94,8 @@ class Sites:
         found: list[Site] = []
         for last in self.matcher.forms:
             for call in self._dead.without(self.calls.get(last, ())):
-                for site in self._direct(call, parameters):
-                    found.extend(self._closed(site))
+                with self.folder.faults.of(call.func):
+                    found += [closed for site in self._direct(call, parameters) for closed in self._closed(site)]
         return found
 
     def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:

@@ -50,6 +50,7 @@ from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
+from ecm_extract.link.running.faults import Faults
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
 from ecm_extract.link.running.kept_references import KeptReferences
@@ -126,6 +127,7 @@ class Folder:
         self.held = HeldFolder(self)
         self.messages = MessageFolder(self)
         self.cuts = self.cycles = 0
+        self.faults = Faults()
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
         self._active: set[Hashable] = set()
         self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}

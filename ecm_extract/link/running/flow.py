@@ -42,9 +42,9 @@ class Flow:
         self.folder = folder
         sys.setrecursionlimit(max(sys.getrecursionlimit(), MAX_FRAMES))
         self.keys = RunKeys()
-        self._runs: dict[Hashable, tuple[Env, Run]] = {}
+        self._runs: dict[Hashable, tuple[Env, Run | None]] = {}
         self._running: dict[Hashable, Func] = {}
-        self._meanwhile: dict[Hashable, tuple[Env, Run]] = {}
+        self._meanwhile: dict[Hashable, tuple[Env, Run | None]] = {}
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
         self._own = OwnCalls(folder.program, lambda func, this: folder.methods.leaves(func, this))
@@ -81,7 +81,7 @@ class Flow:
     # --- runs --------------------------------------------------------------------------------------------
 
     def run(self, env: Env, whole: bool = True) -> Run | None:
-        """Return the run of the function at a place; None while it is running: who asks then asks in a circle.
+        """Return the run of the function at a place; None in a circle of questions, and after a fault.
 
         Args:
             env: the place.
@@ -110,14 +110,15 @@ class Flow:
             self.decisions.answered()
             self._within = 0
 
-    def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run:
+    def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run | None:
         self._running[key] = env.func
-        entry = env.entry(State())
+        run: Run | None = None
         try:
-            with self.folder.steps.apart():
-                return Interpreter(entry, self, whole).result()
+            with self.folder.faults.of(env.func), self.folder.steps.apart():
+                run = Interpreter(env.entry(State()), self, whole).result()
         finally:
             del self._running[key]
+        return run
 
     def _may_run(self, key: Hashable, env: Env) -> bool:
         """Whether a run is neither asked for by itself, nor deeper than is followed."""
