@@ -155,6 +155,7 @@ class Linker:
             with self.folder.faults.of(site.root):
                 self._attribute(site, found, nodes)
         self._generate(found)
+        self.modules.note(main for main in self.registry.programs if self.names.of_program(main) is not None)
         activation = Activation(self.sites, self.registry.programs)
         self._given_out(observations(self.sites, activation), self._observed)
         self._given_out(stamps(self.sites), self._stamped)

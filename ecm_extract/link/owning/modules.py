@@ -201,6 +201,12 @@ class Modules:
         shares = set(file.targets) & set(main.file.targets) or file in self.program.included(main.file)
         return bool(shares) or not self.is_of_programs_only(file)
 
+    def note(self, programs: Iterable[Func]) -> None:
+        """Make modules of programs that are nodes, though no endpoint is theirs."""
+        for main in programs:
+            if main.file.is_built:
+                self._own(main)
+
     def all(self) -> Sequence[Module]:
         """Return every module found so far."""
         return [*self.by_class.values(), *dict.fromkeys(self.by_main.values()), *self.libraries.values()]
