@@ -40,6 +40,7 @@ from ecm_extract.link.folding.fold_texts import TextFolder
 from ecm_extract.link.folding.kept_objects import KeptObjects
 from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.messages import MessageFolder
+from ecm_extract.link.folding.module_objects import ModuleObjects
 from ecm_extract.link.folding.optionals import OptionalFolder
 from ecm_extract.link.folding.own_copies import OwnCopies
 from ecm_extract.link.folding.searches import SearchFolder
@@ -128,6 +129,7 @@ class Folder:
         self.messages = MessageFolder(self)
         self.cuts = self.cycles = 0
         self.faults = Faults()
+        self.module_objects = ModuleObjects(self)
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
         self._active: set[Hashable] = set()
         self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}

@@ -19,10 +19,10 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
-from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import KEEPING, begins_empty, is_container
 from ecm_extract.link.code.numbers import nothing_of
-from ecm_extract.link.code.own import is_own_member
+from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.open_lists import OpenLists
@@ -212,8 +212,15 @@ class ListFolder:
         default = self._default(expr, env)
         if isinstance(expr, Name):
             return default or self._constant(expr, env)
-        field = self.folder.structures.listed(expr, env) if default is None else None
-        return self.items(field.expr, field.env) if field is not None else default
+        if default is not None:
+            return default
+        field = self.folder.structures.listed(expr, env)
+        return self.items(field.expr, field.env) if field is not None else self._shared_constant(expr, env)
+
+    def _shared_constant(self, expr: Member, env: Env) -> list[Bound] | None:
+        """The elements of a list that a class of Python, or another module, has."""
+        dotted = dotted_name(expr) if env.func.file.language == "python" else ""
+        return self.folder.names.module_items(dotted, env) if dotted else None
 
     def sources(self, expr: Name | Member, env: Env) -> list[tuple[Held, Env]]:
         """Return what methods leave a member with that is a list."""
@@ -231,11 +238,17 @@ class ListFolder:
 
     def _default(self, expr: Name | Member, env: Env) -> list[Bound] | None:
         """What a member is declared with."""
-        name = expr.id if isinstance(expr, Name) else expr.name
+        found = self.declared(expr, env)
+        return self.items(found.expr, found.env) if found is not None else None
+
+    def declared(self, expr: Name | Member, env: Env) -> Bound | None:
+        """Return what a member of the object at hand is declared with."""
         cls = env.this or env.func.cls
         for entry in self.folder.program.ancestry(cls) if cls is not None else ():
-            if name in entry.fields and (isinstance(expr, Name) or expr.base == THIS):
-                return self.items(entry.fields[name].default, Env(env.func, depth=env.depth + 1, this=cls))
+            field = entry.fields.get(own_name(expr))
+            if field is not None:
+                given = field.default if not self.folder.names.is_changed(entry, field.name) else None
+                return Bound(given, Env(env.func, depth=env.depth + 1, this=cls)) if given is not None else None
         return None
 
     def _constant(self, expr: Name, env: Env) -> list[Bound] | None:
@@ -328,18 +341,3 @@ class ListFolder:
             return None
         found = self.folder.returns.returned(callee, call, env)
         return self.items(*found[0]) if len(found) == 1 else None
-
-    # --- sequences ---------------------------------------------------------------------------------------------
-
-    def flat(self, expr: Expr, env: Env) -> list[Bound]:
-        """Return the elements of a sequence with spread and concatenated ones in place."""
-        if env.depth > MAX_DEPTH:
-            return [Bound(expr, env)]
-        if isinstance(expr, Items):
-            return [bound for item in expr.items for bound in self.flat(item, env.before(env.at))]
-        if isinstance(expr, Op) and expr.op in {"+", "*"}:
-            return [bound for operand in expr.operands for bound in self.flat(operand, env.before(env.at))]
-        if isinstance(expr, Name) and expr.id in env.args:
-            given = env.args[expr.id]
-            return self.flat(given.expr, given.env.before(given.env.at))
-        return [Bound(expr, env)]

@@ -79,6 +79,7 @@ class MemberFolder:
         told = any(value.confidence != "pattern" for value in known)
         if told and (self._is_of_changed_variable(expr, env) or self._is_of_lost(expr.base, env)):
             return alternatives((*known, unknown(expr.name)))
+        known = known or self.folder.module_objects.member(expr, env)
         return known or self._of_given(expr, env) or self._of_message(expr, env) or (unknown(expr.name),)
 
     def _is_of_changed_variable(self, expr: Member, env: Env) -> bool:

@@ -7,13 +7,15 @@ from functools import cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.expr import Expr, Name
 from ecm_parsers.source.facts import Constant, Function
 
+from ecm_extract.infer.held import Held
 from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.code.units import File, Func
+from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.module_variables import ModuleVariables
+from ecm_extract.link.running.shared_variables import SharedVariables
 from ecm_extract.link.running.values import (
     Enumerator,
     Value,
@@ -28,7 +30,6 @@ from ecm_extract.link.running.values import (
 from ecm_extract.shipped import shipped
 
 if TYPE_CHECKING:
-    from ecm_extract.infer.held import Held
     from ecm_extract.link.folding.fold import Folder
     from ecm_extract.link.folding.fold_tables import Entry
 
@@ -45,6 +46,7 @@ class NameFolder:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.variables = ModuleVariables(folder)
+        self.shared = SharedVariables(folder)
         self._scopes: dict[tuple[File, str], Func] = {}
 
     def name(self, expr: Name, env: Env) -> tuple[Value, ...]:
@@ -179,39 +181,57 @@ class NameFolder:
 
     def module_items(self, name: str, env: Env) -> list[Bound] | None:
         """Return the elements of a list that the body of a module leaves a name with."""
-        place, ways = self._left(name, env)
+        place, ways = self.left_by_module(name, env)
         return self.folder.held.items_of(ways, place) if place is not None and ways else None
 
     def module_entries(self, name: str, env: Env) -> list[Entry] | None:
         """Return the entries of a table that the body of a module leaves a name with."""
-        place, ways = self._left(name, env)
+        place, ways = self.left_by_module(name, env)
         if place is None or len(set(ways)) != 1 or len(ways[0]) != 1:
             return None
         return self.folder.tables.held_entries(ways[0][0], place)
 
-    def _left(self, name: str, env: Env) -> tuple[Env | None, list[tuple[Held, ...]]]:
+    def left_by_module(self, name: str, env: Env) -> tuple[Env | None, list[tuple[Held, ...]]]:
+        """Return what the body of a module leaves a variable with, which a name means, and where that is seen."""
         file = env.func.file
         place = self._module(file, env)
-        if place is None or self.variables.changers(name, file):
+        if place is not None and "." not in name and not self.variables.changers(name, file):
+            ways = self.folder.flow.ways(Name(name), place)
+            if ways:
+                return place, ways
+        return self._left_elsewhere(name, env)
+
+    def _left_elsewhere(self, dotted: str, env: Env) -> tuple[Env | None, list[tuple[Held, ...]]]:
+        """What another module leaves a variable with, or a class one of its own, if nobody changes it later."""
+        found = self.folder.program.constant_named(dotted, env.func.file)
+        value = found.constant.value if found is not None else None
+        if found is None or value is None or self.shared.is_changed(found):
+            return None, []
+        name, scope = found.constant.name, found.constant.scope
+        if scope:
+            inner = Env(self.at_file(found.file, env).func, depth=env.depth + 1)
+            return inner, [(Held("value", name, value, inner),)]
+        place = self._module(found.file, env)
+        if place is None or found.file is env.func.file or self.variables.changers(name, found.file):
             return None, []
         return place, self.folder.flow.ways(Name(name), place)
+
+    def is_changed(self, cls: Cls, name: str) -> bool:
+        """Tell whether a variable that a class of Python has, not its objects, is changed by somebody."""
+        found = self.folder.program.constant_named(f"{cls.fact.name}.{name}", cls.file)
+        return found is not None and cls.file.language == "python" and self.shared.is_changed(found)
 
     def imported(self, dotted: str, env: Env) -> tuple[Value, ...]:
         """A constant of another Python module, by its dotted name."""
         found = self.folder.program.constant_named(dotted, env.func.file)
         if found is None or found.constant.value is None:
             return self._of_outside(dotted, env.func.file) if found is None else ()
-        if not found.constant.scope:
-            return self._of_module(found.constant.name, found.file, env)
-        inner = Env(self.at_file(found.file, env).func, depth=env.depth + 1)
-        values = demoted(self.folder.fold(found.constant.value, inner))
-        return alternatives((*values, unknown(found.constant.name))) if self._is_set(found.constant) else values
-
-    def _is_set(self, constant: Constant) -> bool:
-        """Tell whether a function gives a variable of a class of Python something: `Named.count += 1`."""
-        names = {Name(constant.scope.rpartition("::")[2]), Name("cls")}
-        targets = (each.statement.target for each in self.folder.scope.assigned_outside(constant.name, "python"))
-        return any(isinstance(target, Member) and target.base in names for target in targets)
+        if found.constant.scope:
+            inner = Env(self.at_file(found.file, env).func, depth=env.depth + 1)
+            values = demoted(self.folder.fold(found.constant.value, inner))
+        else:
+            values = self._of_module(found.constant.name, found.file, env)
+        return alternatives((*values, unknown(found.constant.name))) if self.shared.is_changed(found) else values
 
     def _of_outside(self, dotted: str, file: File) -> tuple[Value, ...]:
         known = self.folder.program.message_constant(dotted, file)

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ecm_parsers.source.expr import THIS, Call, Comprehension, Constant, Expr, Items, Member, Name, Table, Text
+from ecm_parsers.source.expr import THIS, Call, Comprehension, Constant, Expr, Items, Member, Name, Op, Table, Text
 
 from ecm_extract.infer.compute import NULL
 from ecm_extract.infer.held import Held, State
-from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import is_map
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, constant, data_in, demoted, is_proved, unknown
 
@@ -78,6 +79,8 @@ class TableFolder:
             return None if rows is None else [entry for row in rows for entry in self._entries(row.expr, row.env) or ()]
         if isinstance(expr, Call):
             return self._entries_of_call(expr, env)
+        if isinstance(expr, Op) and expr.op == "[]":
+            return self._entries_within(expr, env)
         if not isinstance(expr, Name | Member):
             return None
         ways = self.folder.flow.ways(expr, env)
@@ -94,9 +97,18 @@ class TableFolder:
             return self.held_entries(*found[0]) if len(found) == 1 else None
         return self._declared_entries(expr, env)
 
+    def _entries_within(self, expr: Op, env: Env) -> list[Entry] | None:
+        """The entries of a table that stands in another one, or in a list: `table["left"]`."""
+        entries = self.entries(expr.operands[0], env)
+        key = expr.operands[1]
+        found = self.chosen(entries, key, env) if entries is not None else self.folder.lists.element(expr, env)
+        return self.entries(found.expr, found.env.deeper(env.depth + 1)) if found is not None else None
+
     def _declared_entries(self, expr: Name | Member, env: Env) -> list[Entry] | None:
-        if isinstance(expr, Name) and env.func.file.language == "python":
-            return self.folder.names.module_entries(expr.id, env)
+        if env.func.file.language == "python":
+            dotted = dotted_name(expr)
+            own = self.folder.lists.declared(expr, env) if is_own_member(expr) else None
+            return self.entries(own.expr, own.env) if own is not None else self.folder.names.module_entries(dotted, env)
         found = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
         if found is not None and found[0].value is not None and "map" in found[0].type:
             fixed = not self.folder.names.may_change(found[0].name, found[0], env)

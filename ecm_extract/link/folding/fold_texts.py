@@ -8,6 +8,7 @@ from ecm_parsers.source.expr import Call, Expr, Text
 
 from ecm_extract.infer.compute import method
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.folding.flat_lists import flat
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.own_names import node_namespace
 from ecm_extract.link.running.values import PARENT_NAMESPACE, Value, joined, unknown
@@ -85,7 +86,7 @@ class TextFolder:
     def _joined(self, separator: tuple[Value, ...], expr: Expr, env: Env) -> tuple[Value, ...]:
         items = self.folder.lists.items(expr, env)
         if items is None:
-            items = self.folder.lists.flat(expr, env)
+            items = flat(expr, env)
             if len(items) == 1 and items[0].expr is expr:
                 return (unknown("join"),)
         groups: list[tuple[Value, ...]] = []

@@ -1,0 +1,66 @@
+"""Variables of Python that others reach by a name with a dot or by an import: who changes them from anywhere."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ecm_extract.infer.effects import is_plain
+from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.units import Func
+from ecm_extract.resolve.cpp_constants import Stated
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+class SharedVariables:
+    """Tells whether a variable of a module, or of a class, is changed by somebody who does not stand in its own body.
+
+    Who changes something of the same name behind a dot is taken to change it: whose it is need not be known.
+    """
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._known: dict[Stated, bool] = {}
+        self._naming: dict[str, list[Func]] | None = None
+
+    def is_changed(self, stated: Stated) -> bool:
+        """Tell whether anybody but the functions of its own module may change a variable."""
+        known = self._known.get(stated)
+        if known is None:
+            name = stated.constant.name
+            known = self._known[stated] = any(self._changes(func, stated) for func in self._by_name().get(name, ()))
+        return known
+
+    def _changes(self, func: Func, stated: Stated) -> bool:
+        name, outline = stated.constant.name, self.folder.flow.outline(func)
+        changed = outline.given if is_plain(stated.constant.value) else outline.changes  # who gets a text leaves it
+        roots = [key.rpartition(".")[0] for key in changed if key.rpartition(".")[2] == name and "." in key]
+        if any(self._leads_to(root, func, stated) for root in roots):
+            return True
+        is_local = name in outline.effects.own and func.fact.name != "<module>" and name not in func.fact.shared
+        return name in changed and not is_local and self._means(name, func, stated)
+
+    def _leads_to(self, root: str, func: Func, stated: Stated) -> bool:
+        """Whether what stands before the dot may have the variable: its module, its class, or an object of that."""
+        constant = stated.constant
+        if not constant.scope:
+            return self._means(f"{root}.{constant.name}", func, stated)
+        named = root.rpartition(".")[2] in {last_name(constant.scope), "cls"}
+        return named or not is_plain(constant.value)
+
+    def _means(self, dotted: str, func: Func, stated: Stated) -> bool:
+        """Whether a name means the variable in a file that imports it, or its module."""
+        imports = dotted.partition(".")[0] in func.file.imported
+        return imports and self.folder.program.constant_named(dotted, func.file) == stated
+
+    def _by_name(self) -> dict[str, list[Func]]:
+        """The functions of Python by the names in their bodies."""
+        if self._naming is None:
+            self._naming = {}
+            program = self.folder.program
+            files = (file for file in program.files if file.language == "python")
+            for func in (func for file in files for func in program.functions_in(file)):
+                for name in self.folder.shifting.names(func):
+                    self._naming.setdefault(name, []).append(func)
+        return self._naming
