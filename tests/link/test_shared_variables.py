@@ -72,3 +72,28 @@ def test_what_others_have_is_told_while_nobody_changes_it(
     is_changed = before and "NAMES" not in before
     assert any("{" in entry.name for entry in found) == bool(is_changed)
     assert all(entry.confidence == "folded" for entry in found) != bool(is_changed)
+
+
+DERIVED = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+class Base:
+    NAMES = ["a"]
+    def __init__(self, node):
+        for name in self.NAMES:
+            node.create_publisher(String, name, 1)
+class Other(Base):
+    NAMES = ["b"]
+def main():
+    node = rclpy.create_node("demo")
+    Base(node)
+    Other(node)
+"""
+
+
+def test_a_list_that_a_derived_class_has_anew_is_not_that_of_its_base_alone(workspace: Any) -> None:
+    """The base makes endpoints for both; that it makes those of its own list alone is not proved."""
+    package = workspace.package({"pkg/d.py": DERIVED, "pkg/__init__.py": "", "setup.py": SETUP})
+    found = [entry for entry in package.interfaces() if entry.role == "publisher"]
+    assert {entry.name for entry in found} == {"/a", "/b"} or any("{" in entry.name for entry in found)

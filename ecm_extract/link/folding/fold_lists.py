@@ -243,13 +243,20 @@ class ListFolder:
 
     def declared(self, expr: Name | Member, env: Env) -> Bound | None:
         """Return what a member of the object at hand is declared with."""
-        cls = env.this or env.func.cls
+        cls, name = env.this or env.func.cls, own_name(expr)
         for entry in self.folder.program.ancestry(cls) if cls is not None else ():
-            field = entry.fields.get(own_name(expr))
-            if field is not None:
-                given = field.default if not self.folder.names.is_changed(entry, field.name) else None
+            field = entry.fields.get(name)
+            if field is not None and cls is not None:
+                known = not self.folder.names.is_changed(entry, name) and not self._is_redefined(name, cls, env)
+                given = field.default if known else None
                 return Bound(given, Env(env.func, depth=env.depth + 1, this=cls)) if given is not None else None
         return None
+
+    def _is_redefined(self, name: str, cls: Cls, env: Env) -> bool:
+        """Whether the object at hand may be of a class of Python that derives from its own and has another."""
+        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
+        others = (entry for entry in self.folder.program.derived(cls) if entry is not cls)
+        return cls.file.language == "python" and not concrete and any(name in entry.fields for entry in others)
 
     def _constant(self, expr: Name, env: Env) -> list[Bound] | None:
         if env.func.file.language == "python":
