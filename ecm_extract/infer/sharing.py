@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Callable, Iterable, Set
+from collections.abc import Iterable, Set
 
 from ecm_parsers.source.expr import Member, Name
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.bare_names import shared_names
+from ecm_extract.infer.consisting import Consisting
 from ecm_extract.infer.effects import is_plain
-from ecm_extract.infer.held import Held, State, all_ways
+from ecm_extract.infer.held import State, all_ways
 from ecm_extract.infer.outline import Outline
-
-MAX_HELD = 500
-"""What a variable held before that is looked through; one that held more may be, or consist of, any other."""
 
 
 class Sharing:
@@ -25,6 +21,7 @@ class Sharing:
         self.effects = outline.effects
         self._roots: dict[str, str] = {}
         self._same: dict[str, str] = {}
+        self.consisting = Consisting(outline.effects)
 
     def refer(self, key: str, root: str, whole: str = "") -> None:
         """Note that a variable is a reference into another, `whole`: to all of that."""
@@ -117,56 +114,10 @@ class Sharing:
 
     def holding(self, keys: Set[str], state: State) -> set[str]:
         """Return variables that may be, or consist of, what some names mean, or what that consists of."""
-        meant = {name: self._meant(ways, state) for name, ways in state.holds.items()}
-        found = _closed(keys, lambda name: meant.get(name, set()))
-        holders = defaultdict[str, set[str]](set)
-        for name, others in meant.items():
-            for other in others:
-                holders[other].add(name)
+        found = self.consisting.named(keys, state)
         changing = {name for name in found if name in keys or not self._is_plain(name, state)}
-        return found | _closed(changing, lambda name: holders[name])
-
-    def _meant(self, ways: Iterable[Held], state: State) -> set[str]:
-        """The variables that one is, or consists of; what is bound at another place only is what it holds there."""
-        found: set[str] = set()
-        pending, seen = list(ways), set[Held]()
-        while pending:
-            held = pending.pop()
-            if held in seen:
-                continue
-            seen.add(held)
-            if len(seen) > MAX_HELD:
-                return set(state.holds)
-            pending += _before(held)
-            there = held.env.state.holds if held.env is not None and held.env.state is not None else {}
-            for key in self._named(held):
-                found.add(key)
-                pending += there.get(key, ()) if key not in state.holds else ()
-        return found
-
-    def _named(self, held: Held) -> set[str]:
-        exprs = (*shared_names(held.expr), *shared_names(held.more))
-        return {self.effects.key(expr) for expr in exprs} - {""}
+        return found | self.consisting.naming(changing, state)
 
     def _is_plain(self, name: str, state: State) -> bool:
         ways = all_ways(state.holds.get(name, ()))
         return bool(ways) and all(held.how == "value" and is_plain(held.expr) for held in ways)
-
-
-def _closed(keys: Iterable[str], following: Callable[[str], Set[str]]) -> set[str]:
-    """Return names, and what follows from them, and from that."""
-    found: set[str] = set()
-    pending = list(keys)
-    while pending:
-        name = pending.pop()
-        if name not in found:
-            found.add(name)
-            pending += following(name)
-    return found
-
-
-def _before(held: Held) -> Iterable[Held]:
-    """What a variable may hold on each route, and what that was before it was changed: it still consists of that."""
-    if held.how == "met":
-        return all_ways((held,))
-    return held.before if held.how != "entered" else ()
