@@ -6,6 +6,8 @@ from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.placing import PRIVATE
+from ecm_extract.link.naming.handles import Handle
+from ecm_extract.link.naming.names import RosName, endpoint_name, parameter_name
 from ecm_extract.link.running.values import Value, literal
 
 
@@ -20,6 +22,19 @@ def fixed_name(site: Site, folder: Folder) -> Value:
     text = site.form.fixed
     of_handle = text.startswith("~") and _is_given_handle(site, folder)
     return literal(text.removeprefix("~").lstrip("/") if of_handle else text)
+
+
+def is_absolute(site: Site) -> bool:
+    """Tell whether a row implies the whole name, which no handle and no node changes."""
+    return site.form.fixed.startswith("/")
+
+
+def name_below(site: Site, value: Value, handle: Handle, node: str | None) -> RosName:
+    """Return the name of what a call makes, below its handle."""
+    if is_absolute(site):
+        return RosName(value.text, value.text)
+    make = parameter_name if site.form.row.value else endpoint_name
+    return make(value, handle, node, site.root.file.ros)
 
 
 def _is_given_handle(site: Site, folder: Folder) -> bool:
