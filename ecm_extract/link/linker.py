@@ -251,7 +251,8 @@ class Linker:
                     self._servers[module, maker].append(Placed(interface, local, next(iter(site.call.types), "")))
 
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, LocalName]]:
-        for handle in self.handles.of(handle_argument(site.form, site.call), site.env).each():
+        given = handle_argument(site.form, site.call)
+        for handle in self.handles.of(given, site.env, only=bool(site.form.fixed and site.form.node)).each():
             yield from self._below(handle, site, node, origin)
 
     def _below(

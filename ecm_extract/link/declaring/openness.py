@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
@@ -45,7 +45,8 @@ class Openness:
             params |= found.open
             made |= found.open
         made |= self._redefined(site, names)
-        for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_whole(_qos(site)), _is_qos)):
+        handle = _below_what(handle_argument(site.form, site.call), {"NodeHandle"})
+        for expr, accepts in ((handle, _is_handle), (_whole(_qos(site)), _is_qos)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
         return params, made
@@ -123,9 +124,14 @@ class Openness:
 def _parent(expr: Expr, member: str) -> Expr:
     """What a member is made of: `m(x)`, or a handle that it is below, `m(x, "in")` or `m(ros::NodeHandle(x, "in"))`."""
     given = expr.args[0] if isinstance(expr, Call) and len(expr.args) == 1 else expr
-    while isinstance(given, Call) and given.args and last_name(_variable(given.callee)) in {member, "NodeHandle"}:
-        given = given.args[0]
-    return given
+    return _below_what(given, {member, "NodeHandle"}) or given
+
+
+def _below_what(expr: Expr | None, makers: Set[str]) -> Expr | None:
+    """The handle, or the namespace, that a handle is made of which is written out."""
+    while isinstance(expr, Call) and expr.args and last_name(_variable(expr.callee)) in makers:
+        expr = expr.args[0]
+    return expr
 
 
 def _variable(expr: Expr | None) -> str:

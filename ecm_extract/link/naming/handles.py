@@ -77,11 +77,14 @@ class Handles:
         self.sole = sole
         self._handing: set[tuple[Func, str]] = set()
 
-    def of(self, expr: Expr | None, env: Env) -> Handle:
-        """Return the handle that an expression is.
+    def of(self, expr: Expr | None, env: Env, only: bool = False) -> Handle:
+        """Return the handle that an expression is; where `only` handles are taken, a text makes one of its namespace.
 
         In ROS 1 one of which nothing is known has a namespace that is not known either; in ROS 2 a node is itself.
         """
+        is_call = isinstance(expr, Call) and not self.folder.objects.type_of(expr, env)
+        if only and expr is not None and not is_call and self._says_text(expr, env):
+            return _of_any(self.folder.fold(expr, env))
         known = self._known(expr, env, 0)
         if known is not None:
             return known

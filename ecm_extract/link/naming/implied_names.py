@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ecm_extract.link.code.texts import is_text
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
@@ -38,5 +39,8 @@ def name_below(site: Site, value: Value, handle: Handle, node: str | None) -> Ro
 
 
 def _is_given_handle(site: Site, folder: Folder) -> bool:
+    """Tell whether a call is given a handle, or a text of which one is made."""
     given = next(positions(site.form.node, site.call), None)
-    return given is not None and "NodeHandle" in folder.objects.type_of(given, site.env)
+    if given is None or is_text(given, site.call.func):
+        return given is not None
+    return any(word in folder.objects.type_of(given, site.env) for word in ("NodeHandle", "string"))
