@@ -77,3 +77,39 @@ def test_of_several_namespaces_none_is_proved(workspace: Any, chosen: str, made:
     }
     found = workspace.package(files, ros=1).interfaces()
     assert {(entry.name, entry.confidence) for entry in found if entry.role == "publisher"} == expected
+
+
+KEPT = """
+#include <ros/ros.h>
+class Laser {{
+ public:
+  void init(ros::NodeHandle & node, const std::string & topic) {{
+    node_ = &node;
+    sub_ = node_->subscribe(topic, 10, &Laser::on, this);
+  }}
+  void on(const sensor_msgs::LaserScan::ConstPtr & scan);
+  ros::NodeHandle * node_;
+  ros::Subscriber sub_;
+}};
+class Watchdog {{
+ public:
+  explicit Watchdog(ros::NodeHandle & node) {{ laser_.init(node, "scan"); }}
+  Laser laser_;
+}};
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "demo");
+  ros::NodeHandle nh{space};
+  Watchdog watchdog(nh);
+  ros::spin();
+}}
+"""
+
+
+@pytest.mark.parametrize(("space", "expected"), [("", "/scan"), ('("~")', "/demo/scan")])
+def test_a_handle_that_a_method_keeps_before_it_asks_it(workspace: Any, space: str, expected: str) -> None:
+    """`node_ = &node` is what the method was given, which is what the constructor was given that calls it."""
+    files = {
+        "CMakeLists.txt": "project(pkg)\nadd_executable(demo src/demo.cpp)\n",
+        "src/demo.cpp": KEPT.format(space=space),
+    }
+    assert workspace.package(files, ros=1).only("subscriber").name == expected

@@ -110,15 +110,20 @@ class Openness:
         return self._initialisers(expr, env)
 
     def _initialisers(self, variable: Expr, env: Env) -> Iterator[tuple[Expr | None, Env]]:
-        """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
+        """Yield what constructors, and the function at hand, make of a member, and what a handle of a body is below."""
         for made in self.folder.origins.makers(variable, env) or ():
             body = made.env.func.fact.body
             statement = body[made.env.at] if 0 <= made.env.at < len(body) else None
             outer = _below(statement) if statement is not None else None
             if outer is not None:
                 yield outer, made.env
-            elif statement is not None and statement.kind in _INITIALISING and made.env.func.is_constructor:
+            elif statement is not None and statement.kind in _INITIALISING and _is_begun_by(made.env.func, env):
                 yield _parent(made.expr, _variable(variable)), made.env
+
+
+def _is_begun_by(func: Func, env: Env) -> bool:
+    """Tell whether it is certain what a function is given: a constructor, or the function at hand."""
+    return func.is_constructor or func is env.func
 
 
 def _parent(expr: Expr, member: str) -> Expr:
@@ -131,7 +136,7 @@ def _below_what(expr: Expr | None, makers: Set[str]) -> Expr | None:
     """The handle, or the namespace, that a handle is made of which is written out."""
     while isinstance(expr, Call) and expr.args and last_name(_variable(expr.callee)) in makers:
         expr = expr.args[0]
-    return expr
+    return expr.operands[0] if isinstance(expr, Op) and expr.op == "&" else expr
 
 
 def _variable(expr: Expr | None) -> str:
