@@ -39,16 +39,13 @@ from ecm_extract.link.index.program import Program
 from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.naming.handles import Handle, Handles
 from ecm_extract.link.naming.host_arguments import HostArguments
-from ecm_extract.link.naming.implied_names import fixed_name, place_at
+from ecm_extract.link.naming.implied_names import fixed_name, is_absolute, name_below, place_at
 from ecm_extract.link.naming.local_names import local_name, local_parameter
 from ecm_extract.link.naming.names import (
-    RosName,
-    endpoint_name,
     is_below_handle,
     is_below_node,
     is_never_made,
     of_node,
-    parameter_name,
     without_empty_default,
 )
 from ecm_extract.link.naming.node_names import NodeName, NodeNames
@@ -65,7 +62,7 @@ from ecm_extract.link.owning.registry import build_registry, plugins_of
 from ecm_extract.link.running.env import Bound
 from ecm_extract.link.running.own_names import known_beside
 from ecm_extract.link.running.scope import Scope
-from ecm_extract.link.running.values import Value, is_proved, settled, unknown, weaker
+from ecm_extract.link.running.values import Value, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.layout import layouts
 from ecm_extract.resolve.sight import Sight
@@ -254,8 +251,14 @@ class Linker:
                     self._servers[module, maker].append(Placed(interface, local, next(iter(site.call.types), "")))
 
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, LocalName]]:
+        given = handle_argument(site.form, site.call)
+        for handle in self.handles.of(given, site.env, only=bool(site.form.fixed and site.form.node)).each():
+            yield from self._below(handle, site, node, origin)
+
+    def _below(
+        self, handle: Handle, site: Site, node: str | None, origin: str | None
+    ) -> Iterator[tuple[Interface, LocalName]]:
         ros = site.root.file.ros
-        handle = self.handles.of(handle_argument(site.form, site.call), site.env)
         evidence = tuple(Evidence(path, line) for path, line in site.lines())
         when = self.conditions.of(site)
         names = self._named(site)
@@ -265,7 +268,7 @@ class Linker:
             value = of_node(named, node, ros)
             own = settled(named)
             local = local_parameter(own, handle, ros) if site.form.row.value else local_name(own, handle, node)
-            name, confidence = self._name(site, value, handle, node, ros), value.confidence
+            name, confidence = name_below(site, value, handle, node), value.confidence
             if is_never_made(value, name, ros) and not site.form.row.value:
                 continue
             kind, data = self._typed(site, default)
@@ -273,8 +276,8 @@ class Linker:
                 confidence = known_beside(value)
             if not site.certain or (is_choice and named.confidence == "pattern"):
                 confidence = weaker(confidence, "one_of")  # the name of the node settles a text, no choice
-            if is_below_handle(value) and not is_proved(handle.prefix):
-                confidence = weaker(confidence, handle.prefix.confidence)
+            if is_below_handle(value):
+                confidence = weaker(confidence, handle.surely)
             if (value.text == "" and not site.form.row.value) or "{" in name.resolved:
                 confidence = "pattern"  # a name that has no text, or a handle of which not all is known
             interface = Interface(
@@ -290,7 +293,7 @@ class Linker:
                 inherited_from=origin,
                 when=when,
             )
-            yield interface, LocalName((name.resolved,)) if _is_absolute(site) else local
+            yield interface, LocalName((name.resolved,)) if is_absolute(site) else local
 
     def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
         """The type and default of a site; where an object is made with these, what all places make it with."""
@@ -301,12 +304,6 @@ class Linker:
         found = [self.typing.of(replace(site, env=place), default) for place in places]
         agreed = found[0] if found and all(each == found[0] for each in found) else (kind, data)
         return agreed[0] or kind, agreed[1]
-
-    def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
-        if _is_absolute(site):
-            return RosName(value.text, value.text)
-        make = parameter_name if site.form.row.value else endpoint_name
-        return make(value, handle, node, ros)
 
     def _named(self, site: Site) -> list[tuple[Value, Expr | None]]:
         """Return the names of a site with the expression of each default."""
@@ -332,11 +329,6 @@ class Linker:
             flags = [flag for flag in positions(form.latch, site.call) if not is_callback(flag)]
             return self.qos.depth(given, flags[0] if flags else None, site.env)
         return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)
-
-
-def _is_absolute(site: Site) -> bool:
-    """Tell whether a row implies the whole name, which no handle and no node changes."""
-    return site.form.fixed.startswith("/")
 
 
 def _key(interface: Interface) -> tuple[str, str, str | None]:

@@ -47,6 +47,15 @@ class PythonPath:
         """Return the file of a module; None of a folder without `__init__.py`."""
         return self._files.get(module)
 
+    def imported(self, file: File) -> Iterator[File]:
+        """Yield the files that run where a file is imported by what it imports itself: modules and packages around."""
+        for entry in file.facts.imports:
+            dot = "" if entry.module.endswith(".") else "."
+            names = (entry.module, f"{entry.module}{dot}{entry.name}") if entry.name else (entry.module,)
+            for found in filter(None, (self.find(name, file) for name in names)):
+                around = (folder for folder in _above(found) if folder in self._packages)
+                yield from (self._files[path] for path in (found, *around) if path in self._files)
+
     def has(self, module: str) -> bool:
         """Tell whether a path is that of a module or of a folder with modules."""
         return module in self._files or module in self._folders

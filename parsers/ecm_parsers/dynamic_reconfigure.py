@@ -26,9 +26,11 @@ from ecm_parsers.text import decode
 
 _FIELDS = ("name", "paramtype", "level", "description", "default", "min", "max", "edit_method")
 _CONSTANT_FIELDS = ("name", "type", "value", "descr")
-_WANTED = frozenset({"assignment", "call", "import_from_statement", "for_statement"})
+_WANTED = frozenset({"assignment", "augmented_assignment", "call", "import_from_statement", "for_statement"})
 _OWN_MODULES = frozenset({"dynamic_reconfigure", "math", "driver_base", "roslib", "os", "sys", "__future__"})
 _METHODS = frozenset({"add", "generate", "add_group", "const"})
+_MAX_ROUNDS = 1000
+_MAX_NESTED = 4
 
 
 class EnumValue(msgspec.Struct, frozen=True):
@@ -99,8 +101,7 @@ def parse_dynamic_reconfigure(data: bytes) -> Parsed[ReconfigureFile]:
     if root.has_error:
         message = "Parts of the file are not valid Python; parameters in them may be missing."
         reader.diagnostics.append(Diagnostic("warning", "cfg-syntax", 0, message))
-    for node in statements(root, _WANTED, reader.diagnostics):
-        reader.take(node)
+    reader.read(root)
     return Parsed(reader.facts(), tuple(reader.diagnostics))
 
 
@@ -115,17 +116,42 @@ class _Reader:
         self._parameters: list[ReconfigureParameter] = []
         self._included: list[IncludedParameters] = []
         self._generate: tuple[PyCall, int] | None = None
+        self._rounds = _MAX_ROUNDS
 
-    def take(self, node: Node) -> None:
-        """Handle an import, an assignment, a loop or a call."""
-        if node.type == "import_from_statement":
-            self._import(node)
-        elif node.type == "assignment":
-            self._assign(node)
-        elif node.type == "for_statement":
-            self._names.pop(_field_text(node, "left"), None)
-        else:
-            self._call(node)
+    def read(self, root: Node, nested: int = 0) -> None:
+        """Handle the imports, assignments, loops and calls below a node, those in a loop once for each round."""
+        done = 0
+        for node in statements(root, _WANTED, self.diagnostics):
+            if node.start_byte < done:
+                continue
+            if node.type == "import_from_statement":
+                self._import(node)
+            elif node.type == "assignment":
+                self._assign(node)
+            elif node.type == "augmented_assignment":
+                self._names.pop(_field_text(node, "left"), None)
+            elif node.type == "call":
+                self._call(node)
+            elif self._loops(node, nested):
+                done = node.end_byte
+
+    def _loops(self, node: Node, nested: int) -> bool:
+        """Go through the rounds of a loop over what is written out; of any other one the variables are not known."""
+        names = _targets(node.child_by_field_name("left"))
+        rounds = fold(node.child_by_field_name("right"), self._names).data
+        body = node.child_by_field_name("body")
+        if not isinstance(rounds, tuple) or not all(_fits(item, names) for item in rounds):
+            rounds = ()
+        if not rounds or body is None or nested == _MAX_NESTED or len(rounds) > self._rounds:
+            for name in names:
+                self._names.pop(name, None)
+            return False
+        self._rounds -= len(rounds)
+        for item in rounds:
+            given = item.data if len(names) > 1 and isinstance(item.data, tuple) else (item,)
+            self._names.update(zip(names, given, strict=False))
+            self.read(body, nested + 1)
+        return True
 
     def facts(self) -> ReconfigureFile:
         """Return what was collected."""
@@ -171,6 +197,8 @@ class _Reader:
                 self._generate = (call, line_of(node))
         elif method in self._imports:
             self._include(node, method)
+        elif owner:
+            self._names.pop(owner, None)  # `rows.append(...)` makes something else of it
 
     def _include(self, node: Node, name: str) -> None:
         """Note a call `function(gen)` of an imported function."""
@@ -202,6 +230,17 @@ class _Reader:
                 enum=_enum(fields.get("edit_method")),
             )
         )
+
+
+def _targets(left: Node | None) -> list[str]:
+    """The variables of a loop: `a`, or `a, b`."""
+    if left is None:
+        return []
+    return [text_of(child) for child in left.named_children] or [text_of(left)]
+
+
+def _fits(item: Value, names: list[str]) -> bool:
+    return len(names) == 1 or (isinstance(item.data, tuple) and len(item.data) == len(names))
 
 
 def _field_text(node: Node, field: str) -> str:

@@ -136,3 +136,48 @@ class A : public rclcpp::Node { public: A() : Node("a") { Loader::size(); } };
 class B : public rclcpp::Node { public: B() : Node("b") { Only::get(); } };
 class C : public rclcpp::Node { public: C() : Node("c"), loader_(this) {} Loader loader_; };"""
     assert endpoints(workspace.package({"src/d.cpp": text})) == {"a": set(), "b": {"/once"}, "c": {"/loaded"}}
+
+
+_FACTORY = """
+#include <ros/ros.h>
+class Part {
+ public:
+  virtual void initialize() = 0;
+};
+typedef Part * (*Maker)(void);
+class Arm : public Part {
+ public:
+  static Part * Create() { return new Arm(); }
+  void initialize() { pub_ = nh_.advertise<std_msgs::String>("arm", 1); }
+ private:
+  Arm() {}
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+};
+class Leg : public Part {
+ public:
+  static Part * Create() { return new Leg(); }
+  void initialize() { pub_ = nh_.advertise<std_msgs::String>("leg", 1); }
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+};
+class Factory {
+ public:
+  Factory() { keep("arm", &Arm::Create); }
+  void keep(const std::string & name, Maker maker) { makers_[name] = maker; }
+  std::map<std::string, Maker> makers_;
+};
+int main(int argc, char ** argv) {
+  ros::init(argc, argv, "demo");
+  Factory factory;
+  factory.makers_["arm"]()->initialize();
+  ros::spin();
+}
+"""
+
+
+def test_a_static_method_that_is_handed_over_makes_what_it_makes(workspace: Any) -> None:
+    """A factory that keeps `&Arm::Create` has arms, which it makes by a word; what nobody hands over it has not."""
+    files = {"CMakeLists.txt": "project(pkg)\nadd_executable(demo src/demo.cpp)\n", "src/demo.cpp": _FACTORY}
+    assert endpoints(workspace.package(files, ros=1))["demo"] == {"/arm"}

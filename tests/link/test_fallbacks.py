@@ -47,6 +47,7 @@ ROWS = [
     ('bool off = true; if (pnh_.getParam("p", off)) { ROS_INFO("set"); off = !off; }', "bool", None),
     ('if (!pnh_.getParam("p", text_)) { text_ = "a.b"; } else { text_ = "a." + text_; }', "string", None),
     ('int n = 3; if (pnh_.getParam("p", n)) { if (n < 0) n = 3; }', "integer", 3),
+    ('int n = 3; if (pnh_.getParam("p", n) && pnh_.hasParam("q")) { ROS_INFO("set"); }', "integer", None),
 ]
 
 
@@ -55,6 +56,22 @@ def test_what_a_variable_holds_is_the_default(workspace: Any, body: str, kind: s
     """`if (!getParam(x)) x = 5;` and a value given before are defaults; what may have happened otherwise is none."""
     found = workspace.package({"src/d.cpp": TEXT.format(body=body)}, ros=1).only("parameter")
     assert (found.type, found.default) == (kind, default)
+
+
+TOGETHER = [
+    ('if (!(pnh_.getParam("p", n) && pnh_.getParam("q", q))) { ROS_ERROR("unset"); }', 3),
+    ('if (pnh_.getParam("q", q) && pnh_.getParam("p", n)) { ROS_INFO("set"); } else { ROS_ERROR("unset"); }', 3),
+    ('if (!(pnh_.getParam("p", n) && pnh_.getParam("q", q))) { return; }', None),
+    ('if (!(pnh_.getParam("p", n) && pnh_.getParam("q", q))) { n = 5; }', None),
+]
+
+
+@pytest.mark.parametrize(("asked", "default"), TOGETHER, ids=[row[0] for row in TOGETHER])
+def test_parameters_that_are_read_together(workspace: Any, asked: str, default: object) -> None:
+    """Reads of one condition leave what there was where nothing else is done behind it."""
+    package = workspace.package({"src/d.cpp": TEXT.format(body=f"int n = 3, q = 4; {asked}")}, ros=1)
+    found = {entry.name: entry.default for entry in package.interfaces() if entry.role == "parameter"}
+    assert found["/demo/p"] == default
 
 
 HOSTED = """

@@ -200,3 +200,55 @@ def test_what_a_base_names_by_itself_is_of_the_program_that_calls_it(workspace: 
     found = {entry.name: name for name, module in modules.items() for entry in module.signature.interfaces}
     assert len(found) == 3, found
     assert len(set(found.values())) == 1, found
+
+
+SHARED = """
+#include <ros/ros.h>
+class Part {{
+ public:
+  static void begin(ros::NodeHandle * node) {{ node_ = node; }}
+  virtual void init() = 0;
+ protected:
+  static ros::NodeHandle * node_;
+}};
+ros::NodeHandle * Part::node_;
+class Arm : public Part {{
+ public:
+  void init() {{ pub_ = node_->advertise<std_msgs::String>("out", 1); }}
+  ros::Publisher pub_;
+}};
+class Robot {{
+ public:
+  explicit Robot(ros::NodeHandle & node) : node_(&node) {{
+    Part::begin(node_);
+    {other}
+    parts_.push_back(new Arm());
+    parts_[0]->init();
+  }}
+  ros::NodeHandle * node_;
+  std::vector<Part *> parts_;
+}};
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "demo");
+  ros::NodeHandle node{space};
+  Robot robot(node);
+  ros::spin();
+}}
+"""
+GIVEN_TO_ALL = [
+    ("its node's", "", "", "/out"),
+    ("a private one", '("~")', "", "/demo/out"),
+    ("another one, too", "", 'ros::NodeHandle second("b"); Part::begin(&second);', "/{node}/out"),
+]
+
+
+@pytest.mark.parametrize(
+    ("space", "other", "expected"), [row[1:] for row in GIVEN_TO_ALL], ids=[row[0] for row in GIVEN_TO_ALL]
+)
+def test_what_a_class_is_given_for_all_of_its_objects(workspace: Any, space: str, other: str, expected: str) -> None:
+    """Who calls a static method with a handle gives it to all objects; where callers differ it is open."""
+    files = {
+        "CMakeLists.txt": "project(pkg)\nadd_executable(demo src/demo.cpp)\n",
+        "src/demo.cpp": SHARED.format(space=space, other=other),
+    }
+    assert workspace.package(files, ros=1).only("publisher").name == expected

@@ -98,3 +98,43 @@ def test_a_member_of_a_node_in_cpp(workspace: Any, change: str, changed: str | N
 def test_a_member_of_a_node_in_python(workspace: Any, change: str, changed: str | None) -> None:
     """So it is in Python: it was told as proved."""
     assert sure(workspace, PYTHON.format(change=change)) == {LIST, TEXT} - {changed}
+
+
+SPINNING = """
+#include <ros/ros.h>
+class Demo {{
+ public:
+  explicit Demo(ros::NodeHandle & nh) : nh_(nh) {{ sub_ = nh.subscribe("in", 1, &Demo::on, this); }}
+  void on(const std_msgs::String & message) {{ names_.push_back(message.data); }}
+  void once() {{ if (!names_.empty()) pub_ = nh_.advertise<std_msgs::String>("out", 1); }}
+  ros::NodeHandle & nh_;
+  ros::Subscriber sub_;
+  ros::Publisher pub_;
+  std::vector<std::string> names_;
+}};
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "demo");
+  ros::NodeHandle nh;
+  Demo demo(nh);
+  {spinning}
+}}
+"""
+WAYS = [
+    (
+        "threads run callbacks",
+        "ros::AsyncSpinner spinner(2); spinner.start(); while (ros::ok()) demo.once();",
+        {"/out"},
+    ),
+    ("none run before the program waits", "demo.once(); ros::spin();", set()),
+]
+
+
+@pytest.mark.parametrize(("spinning", "expected"), [row[1:] for row in WAYS], ids=[row[0] for row in WAYS])
+def test_what_callbacks_of_other_threads_fill(workspace: Any, spinning: str, expected: set[str]) -> None:
+    """A list that a callback fills is not told as empty once threads run callbacks."""
+    files = {
+        "CMakeLists.txt": "project(pkg)\nadd_executable(demo src/demo.cpp)\n",
+        "src/demo.cpp": SPINNING.format(spinning=spinning),
+    }
+    found = workspace.package(files, ros=1).interfaces()
+    assert {entry.name for entry in found if entry.role == "publisher"} == expected

@@ -243,3 +243,35 @@ def test_what_a_server_calls_a_type_is_no_server(workspace: Any) -> None:
     found = workspace.package(_catkin("src/demo.cpp", CALLBACK), ros=1).interfaces()
     assert {entry.raw_name for entry in found if entry.role == "parameter"} == {"~own/gain"}
     assert {entry.raw_name for entry in found if entry.role == "service_server"} == {"~own/set_parameters"}
+
+
+NAMED = """
+#include <ros/ros.h>
+#include <dynamic_reconfigure/server.h>
+#include <pkg/DemoConfig.h>
+class Part {{
+ public:
+  explicit Part(const std::string & name) : name_(name), server_({given}) {{}}
+  std::string name_;
+  dynamic_reconfigure::Server<pkg::DemoConfig> server_;
+}};
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "demo");
+  Part part("arm");
+  ros::spin();
+}}
+"""
+
+
+@pytest.mark.parametrize("given", ["name_", '"arm"', "ros::NodeHandle(name_)"])
+def test_a_server_that_is_given_a_name_is_below_it(workspace: Any, given: str) -> None:
+    """Its parameter takes handles only, so that one is made of a text: the parameters are no private ones."""
+    files = {
+        "cfg/Demo.cfg": CFG,
+        "src/demo.cpp": NAMED.format(given=given),
+        "CMakeLists.txt": "project(pkg)\nadd_executable(demo src/demo.cpp)\n"
+        "generate_dynamic_reconfigure_options(cfg/Demo.cfg)\n",
+    }
+    found = workspace.package(files, ros=1).interfaces()
+    assert {entry.name for entry in found if entry.role == "parameter"} == {"/arm/gain"}
+    assert "/arm/set_parameters" in {entry.name for entry in found}

@@ -1,5 +1,6 @@
 """`.cfg` files of dynamic_reconfigure."""
 
+import pytest
 from diagnosed import is_told
 from ecm_parsers.dynamic_reconfigure import EnumValue, parse_dynamic_reconfigure
 from hypothesis import given, settings
@@ -32,7 +33,7 @@ def test_parameters() -> None:
     facts = parse_dynamic_reconfigure(CFG).facts
     assert (facts.package, facts.node, facts.name, facts.line) == ("drive", "drive_node", "Drive", 19)
     found = {p.name: p for p in facts.parameters}
-    assert list(found) == ["mode", "max_angle", "label", "gain_{side}"]
+    assert list(found) == ["mode", "max_angle", "label", "gain_l", "gain_r"]
     mode = found["mode"]
     assert (mode.type, mode.level, mode.default, mode.min, mode.max, mode.line) == ("int", 2, 1, 0, 1, 10)
     assert mode.enum == (EnumValue("Slow", 0, "safe"), EnumValue("Fast", 1, "unsafe"))
@@ -40,7 +41,30 @@ def test_parameters() -> None:
     assert (angle.type, angle.group, angle.description) == ("double", ("Limits",), "Angle in rad")
     assert (round(angle.default, 3), round(angle.min, 3), angle.line) == (1.571, -3.142, 13)
     assert (found["label"].group, found["label"].default) == (("Limits", "Inner"), "x")
-    assert found["gain_{side}"].type == "double"
+    assert found["gain_r"].type == "double"
+
+
+LOOPS = [
+    ('for n in ("a", "b"):', "    add(n, True)", ["a", "b"]),
+    ('for n, d in [("a", True), ("b", False)]:', "    add(n, d)", ["a", "b"]),
+    ('for s in ["l", "r"]:\n    for n in ["a", "b"]:', "        add(s + n, True)", ["la", "lb", "ra", "rb"]),
+    ("for n in names():", "    add(n, True)", ["{n}"]),
+    ('rows = ["a"]\nrows.append(more())\nfor n in rows:', "    add(n, True)", ["{n}"]),
+    ('rows = ["a"]\nrows += more()\nfor n in rows:', "    add(n, True)", ["{n}"]),
+    ('for n, d in ["a", "b"]:', "    add(n, d)", ["{n}"]),
+]
+
+
+@pytest.mark.parametrize(("loop", "body", "names"), LOOPS, ids=[row[0] for row in LOOPS])
+def test_loops_over_what_is_written_out(loop: str, body: str, names: list[str]) -> None:
+    """Each round of a loop over a list that the file states adds a parameter; of any other one the name is open."""
+    added = (
+        body.replace("add(", "gen.add(")
+        .replace("(n,", '(n, bool_t, 0, "",')
+        .replace("(s + n,", '(s + n, bool_t, 0, "",')
+    )
+    text = f'gen = ParameterGenerator()\n{loop}\n{added}\nexit(gen.generate("p", "n", "C"))\n'
+    assert [each.name for each in parse_dynamic_reconfigure(text.encode()).facts.parameters] == names
 
 
 def test_imported_parameters_are_reported() -> None:

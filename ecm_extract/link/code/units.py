@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from math import inf
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
-from ecm_parsers.source.facts import Class, Field, Function, Parameter, SourceFile
+from ecm_parsers.source.facts import Class, Field, Function, Parameter, SourceFile, Statement
 
 from ecm_extract.link.code.bound_methods import bound_methods
 from ecm_extract.link.code.spelling import is_node_interface
@@ -118,9 +118,9 @@ class Func:
 
     @property
     def calls(self) -> tuple[Sequence[Call], ...]:
-        """The calls in the value of each statement of its body, inner ones first."""
+        """The calls of each statement of its body, inner ones first: in its value, and in what it changes."""
         if self._calls is None:
-            self._calls = tuple([calls_in(entry.value) for entry in self.fact.body])
+            self._calls = tuple([_calls_of(entry) for entry in self.fact.body])
         return self._calls
 
     def callee(self, call: Call) -> Expr:
@@ -207,6 +207,11 @@ def _one_node(params: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
         return params
     rest = next((at for at, entry in enumerate(params) if not is_node_interface(entry.type)), len(params))
     return (Parameter("node"), *params[rest:])
+
+
+def _calls_of(entry: Statement) -> Sequence[Call]:
+    changed = calls_in(entry.target) if entry.kind == "set" else ()
+    return [*calls_in(entry.value), *changed] if changed else calls_in(entry.value)
 
 
 def _required(params: Iterable[Parameter]) -> int:

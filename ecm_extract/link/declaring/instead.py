@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Branch, Switch, statements, steps
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.walk import expressions, names_in
+from ecm_extract.link.code.walk import expressions, last_of, names_in
+
+_JOINING: Final = frozenset({"!", "&&", "||", "not", "and", "or"})
 
 
 def returned_instead(call: Invocation, out: Expr | None) -> Expr | None:
@@ -73,9 +76,27 @@ def kept_instead(call: Invocation, out: Expr) -> Expr | None:
 
 
 def goes_on(call: Invocation) -> bool:
-    """Tell whether a function goes on where the parameter of a condition is not set, as if nobody had asked."""
-    asked = (step for step in steps(call.func.fact.flow) if isinstance(step, Branch))
-    return is_denied(call) and any(step.test == call.statement.value and not step.then for step in asked)
+    """Tell whether a function goes on where the parameter of a condition is not set, as if nobody had asked.
+
+    A condition of several reads, `if (read(x) && read(y))`, is none where nothing is done behind it.
+    """
+    branches = (step for step in steps(call.func.fact.flow) if isinstance(step, Branch))
+    asked = [step for step in branches if step.test == call.statement.value]
+    if is_denied(call):
+        return any(not step.then for step in asked)
+    return _is_of_reads(call) and any(not step.then and not step.other for step in asked)
+
+
+def _is_of_reads(call: Invocation) -> bool:
+    """Tell whether a condition is made of nothing but calls of the same name."""
+    pending, found = [call.statement.value], list[Expr]()
+    while pending:
+        part = pending.pop()
+        if isinstance(part, Op) and part.op in _JOINING:
+            pending += part.operands
+        elif part is not None:
+            found.append(part)
+    return len(found) > 1 and all(isinstance(each, Call) and last_of(each.callee) == call.last for each in found)
 
 
 def is_asked(call: Invocation) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Op
 from ecm_parsers.source.facts import Statement
@@ -46,7 +46,8 @@ class Openness:
             params |= found.open
             made |= found.open
         made |= self._redefined(site, names)
-        for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_whole(_qos(site)), _is_qos)):
+        handle = _below_what(handle_argument(site.form, site.call), {"NodeHandle"})
+        for expr, accepts in ((handle, _is_handle), (_whole(_qos(site)), _is_qos)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
         return params, made
@@ -110,23 +111,33 @@ class Openness:
         return self._initialisers(expr, env)
 
     def _initialisers(self, variable: Expr, env: Env) -> Iterator[tuple[Expr | None, Env]]:
-        """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
+        """Yield what constructors, and the function at hand, make of a member, and what a handle of a body is below."""
         for made in self.folder.origins.makers(variable, env) or ():
             body = made.env.func.fact.body
             statement = body[made.env.at] if 0 <= made.env.at < len(body) else None
             outer = _below(statement) if statement is not None else None
             if outer is not None:
                 yield outer, made.env
-            elif statement is not None and statement.kind in _INITIALISING and made.env.func.is_constructor:
+            elif statement is not None and statement.kind in _INITIALISING and _is_begun_by(made.env.func, env):
                 yield _parent(made.expr, own_name(variable)), made.env
+
+
+def _is_begun_by(func: Func, env: Env) -> bool:
+    """Tell whether it is certain what a function is given: a constructor, or the function at hand."""
+    return func.is_constructor or func is env.func
 
 
 def _parent(expr: Expr, member: str) -> Expr:
     """What a member is made of: `m(x)`, or a handle that it is below, `m(x, "in")` or `m(ros::NodeHandle(x, "in"))`."""
     given = expr.args[0] if isinstance(expr, Call) and len(expr.args) == 1 else expr
-    while isinstance(given, Call) and given.args and last_name(own_name(given.callee)) in {member, "NodeHandle"}:
-        given = given.args[0]
-    return given
+    return _below_what(given, {member, "NodeHandle"}) or given
+
+
+def _below_what(expr: Expr | None, makers: Set[str]) -> Expr | None:
+    """The handle, or the namespace, that a handle is made of which is written out."""
+    while isinstance(expr, Call) and expr.args and last_name(own_name(expr.callee)) in makers:
+        expr = expr.args[0]
+    return expr.operands[0] if isinstance(expr, Op) and expr.op == "&" else expr
 
 
 def _names(expr: Expr | None) -> Iterator[str]:

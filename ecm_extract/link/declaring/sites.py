@@ -24,6 +24,7 @@ from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
 from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.declaring.prefixes import prefixed
 from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.ways_in import WaysIn
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
@@ -101,10 +102,13 @@ class Sites:
     def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func
         env = self.root_env(func, call.at)
-        call = spread(call)
-        for form in self.matcher.fitting(call, env):
-            if form.row.value is parameters:
-                yield Site(form, prefixed(call, form), env, (), func.holder, func)
+        for each in (spread(call), *starred(call, self.program)):
+            forms = list(self.matcher.fitting(each, env))
+            for form in forms:
+                if form.row.value is parameters:
+                    yield Site(form, prefixed(each, form), env, (), func.holder, func)
+            if forms:
+                return
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""

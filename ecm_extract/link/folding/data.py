@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
+from math import isfinite
 from typing import Any
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
@@ -56,7 +57,8 @@ def _data(expr: Expr, env: Env, folder: Folder, depth: int) -> Any:
     if isinstance(expr, Call) and isinstance(expr.callee, Name) and len(expr.args) == 1:
         kind = last_name(expr.callee.id)
         if kind in _WRAPPERS:  # `ParameterValue(x)`, `double(x)`
-            return as_number(data_of(expr.args[0], env, folder, depth + 1), kind)
+            given = data_of(expr.args[0], env, folder, depth + 1)
+            return _number_in(given, kind) if kind in NUMBERS and isinstance(given, str) else as_number(given, kind)
     if isinstance(expr, Op) and expr.op == "?:" and folder.flow.truth(expr.operands[0], env) is None:
         return UNKNOWN
     items = _items(expr, env, folder)
@@ -96,6 +98,15 @@ def _call(expr: Call, env: Env, folder: Folder, depth: int) -> Any:
     if call.receiver is not None and call.last == "get" and isinstance(call.receiver, Call):
         return data_of(call.receiver, env, folder, depth + 1)
     return None
+
+
+def _number_in(text: str, kind: str) -> Any:
+    """What Python makes of a text: `float("2.5")`; of one that is no number, or none that has an end, nothing."""
+    try:
+        number = int(text) if kind == "int" else float(text)
+    except ValueError:
+        return UNKNOWN
+    return number if isfinite(number) else UNKNOWN
 
 
 def _power(base: Any, exponent: Any) -> Any:
@@ -140,9 +151,16 @@ def type_of_data(value: Any) -> str | None:
     if isinstance(value, str):
         return "string"
     if isinstance(value, list) and value:
-        inner = type_of_data(value[0])
+        inner = _common({type_of_data(each) for each in value})
         return f"{inner}_array" if inner else None
     return None
+
+
+def _common(kinds: Set[str | None]) -> str | None:
+    """The type of all elements of a list: whole numbers may stand among fractions; others make a list of no type."""
+    if kinds == {"integer", "double"}:
+        return "double"
+    return next(iter(kinds)) if len(kinds) == 1 else None
 
 
 __all__ = ["UNKNOWN", "data_of", "declared_type", "plain_type", "stated_type", "type_of_data"]

@@ -138,6 +138,12 @@ class Program:
         """Return the headers of the tree that a C++ file sees, directly or through others."""
         return self._headers.of(file)
 
+    def imported_files(self, file: File) -> frozenset[File]:
+        """Return the files of the tree that a Python file imports itself."""
+        if file.language != "python":
+            return frozenset()
+        return frozenset(self._path.imported(file)) - {file}
+
     def class_named(self, name: str, file: File, scope: str = "") -> Cls | None:
         """Return the class that a name means in a scope of a file; None where it is outside the tree or ambiguous.
 

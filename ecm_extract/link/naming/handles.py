@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
+from ecm_checker.contract import Confidence
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
 
 from ecm_extract.link.code.calls import Invocation
@@ -19,7 +20,7 @@ from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 from ecm_extract.link.running.own_names import node_namespace
-from ecm_extract.link.running.values import Value, is_known, joined, literal, unknown
+from ecm_extract.link.running.values import Value, is_known, is_proved, joined, literal, unique, unknown
 
 MAX_DEPTH = 12
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
@@ -39,10 +40,22 @@ class Handle(NamedTuple):
     Attributes:
         prefix: put before relative names; starts with `~` for a private handle, empty for the node itself.
         node: name of a node made on the spot, to which `~` then belongs; None for the module's own node.
+        others: the prefixes of which it may be any as well.
     """
 
     prefix: Value
     node: Value | None = None
+    others: tuple[Value, ...] = ()
+
+    @property
+    def surely(self) -> Confidence:
+        """How surely a name below it is where it is told."""
+        proved = is_proved(self.prefix) and self.prefix.confidence != "one_of"
+        return "literal" if proved else self.prefix.confidence
+
+    def each(self) -> tuple[Handle, ...]:
+        """Return one handle for each prefix that it may have."""
+        return (self._replace(others=()), *(Handle(prefix, self.node) for prefix in self.others))
 
 
 OWN = Handle(literal(""))
@@ -63,11 +76,14 @@ class Handles:
         self.sole = sole
         self._handing: set[tuple[Func, str]] = set()
 
-    def of(self, expr: Expr | None, env: Env) -> Handle:
-        """Return the handle that an expression is.
+    def of(self, expr: Expr | None, env: Env, only: bool = False) -> Handle:
+        """Return the handle that an expression is; where `only` handles are taken, a text makes one of its namespace.
 
         In ROS 1 one of which nothing is known has a namespace that is not known either; in ROS 2 a node is itself.
         """
+        is_call = isinstance(expr, Call) and not self.folder.objects.type_of(expr, env)
+        if only and expr is not None and not is_call and self._says_text(expr, env):
+            return _of_any(self.folder.fold(expr, env))
         known = self._known(expr, env, 0)
         if known is not None:
             return known
@@ -76,7 +92,7 @@ class Handles:
     def prefix(self, expr: Expr, env: Env) -> Value | None:
         """Return what a handle puts before names; None of one that is not known."""
         known = self._known(expr, env, 0)
-        return known.prefix if known is not None and known.node is None else None
+        return known.prefix if known is not None and known.node is None and not known.others else None
 
     def _known(self, expr: Expr | None, env: Env, depth: int) -> Handle | None:
         if expr is None or expr == THIS:
@@ -213,7 +229,7 @@ class Handles:
             return OWN
         first = args[0]
         if not isinstance(first, Name | Member | Call | Op) or self._says_text(first, env):
-            return Handle(self.folder.fold(first, env)[0])
+            return _of_any(self.folder.fold(first, env))
         parent = self._known(first, env, depth + 1)
         if len(args) < 2:
             return parent
@@ -230,8 +246,8 @@ class Handles:
         return any(word in written for word in _TEXTS) if is_named else self._is_text(expr, env)
 
     def _nested(self, parent: Handle, name: Expr, env: Env) -> Handle:
-        value = self.folder.fold(name, env)[0]
-        return Handle(under(parent.prefix, value), parent.node)
+        names = self.folder.fold(name, env)
+        return _of_any([under(one.prefix, each) for one in parent.each() for each in names], parent.node)
 
     def _new_node(self, args: Sequence[Expr], env: Env) -> Handle:
         name = self.folder.fold(args[0], env)[0]
@@ -246,6 +262,12 @@ class Handles:
         if isinstance(expr, Call) and invocation_of(expr, env).last in _NAMESPACES:
             return True
         return "string" in self.folder.objects.type_of(expr, env) or self._is_text(expr, env)
+
+
+def _of_any(prefixes: Sequence[Value], node: Value | None = None) -> Handle:
+    """The handle that has one of several prefixes."""
+    first, *others = unique(prefixes)
+    return Handle(first, node, tuple(others))
 
 
 def under(prefix: Value, name: Value) -> Value:

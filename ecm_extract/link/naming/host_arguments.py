@@ -39,9 +39,15 @@ class HostArguments:
         return [bound for bound in given if bound is not None]
 
     def _calls(self, func: Func) -> Iterator[Invocation]:
-        """The calls on its class or a base that may run the method; one that calls that of its own base is no host."""
+        """The calls on its class or a base that may run the method; one that calls that of its own base is no host.
+
+        A method that needs no object is called by the name of its class: `Part::begin(node)`.
+        """
         found = dict.fromkeys(call for method in (func, *self._overridden(func)) for call in self.sites.callers(method))
-        yield from (call for call in found if call.receiver is not None and not is_own(call.receiver))
+        if func.cls is not None and func.holder is None:
+            yield from (call for call in found if call.func.cls is not func.cls)
+        else:
+            yield from (call for call in found if call.receiver is not None and not is_own(call.receiver))
 
     def _calls_of_bases(self, func: Func) -> Iterator[Invocation]:
         """The calls in bases of its class of what it overrides, on the object at hand: `load(own_)` in `initialize`."""

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from ecm_extract.link.code.texts import is_text
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.placing import PRIVATE
+from ecm_extract.link.naming.handles import Handle
+from ecm_extract.link.naming.names import RosName, endpoint_name, parameter_name
 from ecm_extract.link.running.values import Value, literal
 
 
@@ -22,6 +25,22 @@ def fixed_name(site: Site, folder: Folder) -> Value:
     return literal(text.removeprefix("~").lstrip("/") if of_handle else text)
 
 
+def is_absolute(site: Site) -> bool:
+    """Tell whether a row implies the whole name, which no handle and no node changes."""
+    return site.form.fixed.startswith("/")
+
+
+def name_below(site: Site, value: Value, handle: Handle, node: str | None) -> RosName:
+    """Return the name of what a call makes, below its handle."""
+    if is_absolute(site):
+        return RosName(value.text, value.text)
+    make = parameter_name if site.form.row.value else endpoint_name
+    return make(value, handle, node, site.root.file.ros)
+
+
 def _is_given_handle(site: Site, folder: Folder) -> bool:
+    """Tell whether a call is given a handle, or a text of which one is made."""
     given = next(positions(site.form.node, site.call), None)
-    return given is not None and "NodeHandle" in folder.objects.type_of(given, site.env)
+    if given is None or is_text(given, site.call.func):
+        return given is not None
+    return any(word in folder.objects.type_of(given, site.env) for word in ("NodeHandle", "string"))

@@ -74,8 +74,11 @@ class Handed:
         return self.program.class_named(written, func.file, func.scope)
 
     def _means_function(self, handing: Handing, func: Func) -> bool:
-        if func.cls is not None or func.file.language != handing.func.file.language:
+        if func.holder is not None or func.file.language != handing.func.file.language:
             return False
+        if func.cls is not None:
+            owner = self._named(handing.written.removesuffix(func.fact.name).rstrip(":."), handing.func)
+            return owner is not None and func.cls in self.program.ancestry(owner)
         return func in self.program.functions_named(handing.written, handing.func.file, handing.func.scope)
 
     def _index(self) -> dict[str, list[Handing]]:

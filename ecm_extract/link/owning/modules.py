@@ -138,8 +138,6 @@ class Modules:
             module = self._own(current)
             if module is not None:
                 found[module] = None
-                if not isinstance(current, Cls):
-                    continue
             for user in self._users(current, module):
                 if user not in seen:
                     seen.add(user)
@@ -151,11 +149,11 @@ class Modules:
         return tuple(sorted(found, key=lambda module: (module.package, module.name, module.path)))
 
     def _users(self, unit: Unit, module: Module | None) -> Iterable[Unit]:
-        """A module class passes its endpoints on only to the classes that derive from it, and to who loads it."""
+        """A module class passes its endpoints on to who derives from it or loads it, a script to who imports it."""
         if module is None:
             return self.references.users(unit)
         if not isinstance(unit, Cls):
-            return ()
+            return self.references.importers(unit)
         loaders = (func.holder or func for func in self._loaders.get(unit, ()))
         return (*self.references.sites.program.derived(unit), *loaders)
 

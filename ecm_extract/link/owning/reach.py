@@ -13,6 +13,7 @@ from typing import Final
 
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.owning.imported import Imported
 from ecm_extract.link.owning.leads import Asked, Lead, Leads
 from ecm_extract.link.owning.modules import Module
 from ecm_extract.link.owning.references import makes_own_class
@@ -33,6 +34,7 @@ class Reach:
     def __init__(self, program: Program, loaded: Mapping[Func, Sequence[Cls]], registered: Registered) -> None:
         self.program = program
         self._leads = Leads(program)
+        self._imported = Imported(program)
         self._loaded = loaded
         self._registered = registered
         self._runs: dict[Module, _Run] = {}
@@ -86,6 +88,7 @@ class Reach:
 
     def _take(self, func: Func, run: _Run) -> None:
         run.take(self._leads.of_func(func))
+        run.enter(*self._imported.bodies(func))
         for cls in self._loaded.get(func, ()):
             self._make(cls, run)
             run.enter(*cls.methods)

@@ -16,6 +16,7 @@ from ecm_extract.link.code.spelling import by_value, last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.owning.handed import Handed, only_loads
+from ecm_extract.link.owning.imported import Imported
 from ecm_extract.link.owning.registered import Registered
 
 Unit = Cls | Func
@@ -32,6 +33,7 @@ class References:
         self.sites = sites
         self.program = sites.program
         self._handed = Handed(self.program)
+        self._imported = Imported(self.program)
         self.registered = Registered(self.program)
         self._mentions: dict[str, list[_Mention]] = defaultdict(list)
         self._aliases = self.program.aliases.meaning(self.program.classes)
@@ -94,6 +96,10 @@ class References:
         yield from self._makers(cls)
         yield from self._mentioning(cls, self._holders)
 
+    def importers(self, func: Func) -> Iterator[Unit]:
+        """Yield the bodies of the Python files that import the one whose body a function is, and so run it."""
+        yield from self._imported.importers(func)
+
     def _class_users(self, cls: Cls) -> Iterator[Unit]:
         found = [*self.sites.program.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
         yield from found or self._mentioning(cls, self._mentions)
@@ -123,6 +129,7 @@ class References:
             yield call.func.holder or call.func
         for other in self._handed.functions(func):
             yield other.holder or other
+        yield from self.importers(func)
 
 
 def makes_own_class(method: Func) -> bool:
