@@ -91,8 +91,9 @@ class Ownership:
 def _is_in_a_table(unit: Unit) -> bool:
     """Tell whether what stands outside of functions mentions a unit: a table of callbacks, a global object."""
     found = [mentions_of_constant(constant) for constant in unit.file.facts.constants]
-    asked = (one.name for each in found for one in (*each.within, *each.of_names))
-    return any(unit.fact.name in (*each.plain, *each.used) for each in found) or unit.fact.name in asked
+    asked = {name for each in found for name in (*each.plain, *each.used)}
+    asked.update(one.name for each in found for one in each.within)
+    return unit.fact.name in asked.union(one.name for each in found for one in each.of_names)
 
 
 def _is_told_by_rows(site: Site, module: Module) -> bool:
