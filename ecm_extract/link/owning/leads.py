@@ -205,7 +205,7 @@ class Leads:
             *self._asked(func.file, _imported(func.file, found.plain)),
             *self._asked(func.file, _imported(func.file, found.held), makes=False),
         }
-        if _SUBCLASSES in found.used:
+        if _SUBCLASSES in found.used.union(each.name for each in found.of_names):
             asked.update(self._asked(func.file, self._derived_names(found)))
         return _lead(found, asked, [*own, *self._all_owned(found, func.file, func.scope)])
 
