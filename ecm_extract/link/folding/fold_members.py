@@ -34,6 +34,7 @@ from ecm_extract.link.running.values import (
     lowered,
     set_by,
     unknown,
+    without_defaults,
 )
 
 if TYPE_CHECKING:
@@ -131,7 +132,8 @@ class MemberFolder:
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return ()
-        values = self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+        found = self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+        values = tuple([without_defaults(value) for value in found])  # who made that object may have said otherwise
         asked = _is_plain(cls) or any(value.confidence == "pattern" for value in values)
         read = self.folder.given_fields.of_parameters(expr.name, cls, env) if asked else ()
         if read:
