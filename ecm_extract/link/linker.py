@@ -28,6 +28,7 @@ from ecm_extract.link.endpoints.generated import GeneratedParameters
 from ecm_extract.link.endpoints.listeners import LISTENER
 from ecm_extract.link.endpoints.merging import merged
 from ecm_extract.link.endpoints.observe import Observation, observation_forms, observations
+from ecm_extract.link.endpoints.open_defaults import OpenDeclarations
 from ecm_extract.link.endpoints.qos import QosReader
 from ecm_extract.link.endpoints.reconfigured import SERVICE, Placed, beside, serving
 from ecm_extract.link.endpoints.stamps import Stamp, stamps
@@ -124,6 +125,7 @@ class Linker:
         self.modules = Modules(self.program, self.references, registry)
         self.ownership = Ownership(self.sites, self.modules, makers)
         self.conditions = EndpointConditions(self.sites, self.modules)
+        self.open_declarations = OpenDeclarations()
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[Module, list[Diagnosis]] = defaultdict(list)
@@ -221,7 +223,7 @@ class Linker:
         claims = claims_of(module.cls, self.folder) if module.cls is not None else None
         seen = tuple(dict.fromkeys(self._observed.get(module, ())))
         lines = self.conditions.named(module, found.get(module, ()))
-        interfaces = merged(lines)
+        interfaces = merged(lines, self.open_declarations.of(module))
         managed = module.cls is not None and is_managed(module.cls, self.program)
         stamped = tuple(dict.fromkeys(self._stamped.get(module, ())))
         told = tuple(dict.fromkeys(self._diagnosed.get(module, ())))
@@ -247,6 +249,7 @@ class Linker:
         for interface, local in self._interfaces(site, node, origin):
             found.append(interface)
             self.conditions.note(module, site, interface)
+            self.open_declarations.note(module, site, interface)
             names = self._local[module].setdefault(_key(interface), [])
             names += [local] * (local not in names)
             if interface.type == SERVICE:
@@ -290,7 +293,7 @@ class Linker:
                 inherited_from=origin,
                 when=when,
             )
-            yield interface, LocalName((name.resolved,)) if _is_absolute(site) else local
+            yield interface, LocalName((name.resolved,)) if site.is_absolute else local
 
     def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
         """The type and default of a site; where an object is made with these, what all places make it with."""
@@ -303,7 +306,7 @@ class Linker:
         return agreed[0] or kind, agreed[1]
 
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
-        if _is_absolute(site):
+        if site.is_absolute:
             return RosName(value.text, value.text)
         make = parameter_name if site.form.row.value else endpoint_name
         return make(value, handle, node, ros)
@@ -334,11 +337,6 @@ class Linker:
             flags = [flag for flag in positions(form.latch, site.call) if not is_callback(flag)]
             return self.qos.depth(given, flags[0] if flags else None, site.env)
         return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)
-
-
-def _is_absolute(site: Site) -> bool:
-    """Tell whether a row implies the whole name, which no handle and no node changes."""
-    return site.form.fixed.startswith("/")
 
 
 def _key(interface: Interface) -> tuple[str, str, str | None]:
