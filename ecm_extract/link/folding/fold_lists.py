@@ -137,7 +137,8 @@ class ListFolder:
             return self._of_op(expr, inner)
         if not isinstance(expr, Name | Member):
             return None
-        return in_their_order(self._of_variable(expr, inner), expr, env, self.folder)
+        found = in_their_order(self._of_variable(expr, inner), expr, env, self.folder)
+        return self.folder.enumerations.elements(expr, inner) if found is None else found
 
     def _spread(self, expr: Items, env: Env) -> list[Bound] | None:
         """The elements of a display, `*spread` ones in place."""
