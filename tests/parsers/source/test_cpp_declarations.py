@@ -344,7 +344,8 @@ def test_explicit_specializations_say_for_what_they_are(text: str, expected: tup
         ("low = 1, high = 2, rest", [Number(1), Number(2), None]),
         ("low, high = 2", [None, Number(2)]),
         ("low{1}, high{2}", [Number(1), Number(2)]),
-        ("low{}, high{2}", [None, Number(2)]),
+        ("*low{}, high{2}", [None, Number(2)]),
+        ("low{}, high{2}", [Call(Name("int"), (), line=1), Number(2)]),
         ("*low = &other, high = 2", [Op("&", (Name("other"),)), Number(2)]),
     ],
 )
