@@ -28,6 +28,7 @@ from ecm_extract.link.endpoints.generated import GeneratedParameters
 from ecm_extract.link.endpoints.listeners import LISTENER
 from ecm_extract.link.endpoints.merging import merged
 from ecm_extract.link.endpoints.observe import Observation, observation_forms, observations
+from ecm_extract.link.endpoints.open_defaults import OpenDeclarations
 from ecm_extract.link.endpoints.qos import QosReader
 from ecm_extract.link.endpoints.reconfigured import SERVICE, Placed, beside, serving
 from ecm_extract.link.endpoints.stamps import Stamp, stamps
@@ -39,7 +40,7 @@ from ecm_extract.link.index.program import Program
 from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.naming.handles import Handle, Handles
 from ecm_extract.link.naming.host_arguments import HostArguments
-from ecm_extract.link.naming.implied_names import fixed_name, is_absolute, name_below, place_at
+from ecm_extract.link.naming.implied_names import fixed_name, name_below, place_at
 from ecm_extract.link.naming.local_names import local_name, local_parameter
 from ecm_extract.link.naming.names import (
     is_below_handle,
@@ -122,6 +123,7 @@ class Linker:
         self.modules = Modules(self.program, self.references, registry)
         self.ownership = Ownership(self.sites, self.modules, makers)
         self.conditions = EndpointConditions(self.sites, self.modules)
+        self.open_declarations = OpenDeclarations()
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[Module, list[Diagnosis]] = defaultdict(list)
@@ -218,7 +220,7 @@ class Linker:
         claims = claims_of(module.cls, self.folder) if module.cls is not None else None
         seen = tuple(dict.fromkeys(self._observed.get(module, ())))
         lines = self.conditions.named(module, found.get(module, ()))
-        interfaces = merged(lines)
+        interfaces = merged(lines, self.open_declarations.of(module))
         managed = module.cls is not None and is_managed(module.cls, self.program)
         stamped = tuple(dict.fromkeys(self._stamped.get(module, ())))
         told = tuple(dict.fromkeys(self._diagnosed.get(module, ())))
@@ -244,6 +246,7 @@ class Linker:
         for interface, local in self._interfaces(site, node, origin):
             found.append(interface)
             self.conditions.note(module, site, interface)
+            self.open_declarations.note(module, site, interface)
             names = self._local[module].setdefault(_key(interface), [])
             names += [local] * (local not in names)
             if interface.type == SERVICE:
@@ -293,7 +296,7 @@ class Linker:
                 inherited_from=origin,
                 when=when,
             )
-            yield interface, LocalName((name.resolved,)) if is_absolute(site) else local
+            yield interface, LocalName((name.resolved,)) if site.is_absolute else local
 
     def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
         """The type and default of a site; where an object is made with these, what all places make it with."""

@@ -15,17 +15,19 @@ class CppOwners:
     Args:
         lookup: of classes.
         classes: by their qualified names.
+        aliases: last names of what may stand for a class.
     """
 
-    def __init__(self, lookup: CppClasses, classes: Mapping[str, Sequence[Cls]]) -> None:
+    def __init__(self, lookup: CppClasses, classes: Mapping[str, Sequence[Cls]], aliases: frozenset[str]) -> None:
         self._lookup = lookup
         self._classes = classes
-        self._last_names = frozenset(name.rpartition("::")[2] for name in classes)
+        self._last_names = aliases.union(name.rpartition("::")[2] for name in classes)
 
     def find(self, scope: str, file: File) -> Cls | None:
         """Return the class that the scope of a function is; None of a namespace and where several are meant.
 
-        With `using` the scope is a part of the name of the class, inside a namespace it may repeat it.
+        With `using` the scope is a part of the name of the class, inside a namespace it may repeat it; it may be what a
+        file calls the class: `using Self = Robot; void Self::start() {}`.
         """
         if scope.rpartition("::")[2] not in self._last_names:
             return None

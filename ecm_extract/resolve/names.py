@@ -41,7 +41,7 @@ class Names:
         self._classes = CppClasses(scopes, views, self.aliases, by_name)
         self._functions = CppFunctions(scopes, views, self.aliases)
         self._constants = CppConstants(scopes, views)
-        self._owners = CppOwners(self._classes, by_name)
+        self._owners = CppOwners(self._classes, by_name, self.aliases.last_names)
         self._python = PythonNames(path, bases)
 
     def add(self, file: File, classes: Sequence[Cls], functions: Sequence[Func]) -> None:

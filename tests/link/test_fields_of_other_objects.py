@@ -78,3 +78,43 @@ def test_what_is_read_into_an_object_is_not_told_of_another_alone(workspace: Any
     package = workspace.package({"src/d.cpp": text, "CMakeLists.txt": "add_executable(d src/d.cpp)"}, ros=1)
     published = {(each.name, each.confidence) for each in package.interfaces() if each.role == "publisher"}
     assert published == {("/a", "one_of"), ("/{name}", "pattern")}
+
+
+CHOSEN = """
+import rclpy
+from dataclasses import dataclass
+from typing import NamedTuple
+from rclpy.node import Node
+from std_msgs.msg import String
+class Pair(NamedTuple):
+    kind: int
+    topic: str = "pair"
+@dataclass
+class Row:
+    kind: int
+    topic: str = "row"
+class Demo(Node):
+    def __init__(self):
+        super().__init__("demo")
+        self.active = 0
+        self.show((Pair(1, "a"), Pair(2, "b")), [Row(1, "c"), Row(2, "d")])
+    def show(self, pairs, rows):
+        self.listen(pairs[self.active], rows[self.active])
+    def listen(self, pair: Pair, row: Row):
+        self.create_publisher(String, pair.topic, 10)
+        self.create_subscription(String, row.topic, self.called, 10)
+    def called(self, msg):
+        self.active += 1
+def main():
+    rclpy.spin(Demo())
+"""
+
+
+def test_a_field_of_one_object_of_many_has_no_default_of_its_class(workspace: Any) -> None:
+    """What a class gives a field is nothing of an object that somebody makes with something else."""
+    setup = (
+        "from setuptools import setup\nsetup(name='pkg', entry_points={'console_scripts': ['demo = pkg.demo:main']})\n"
+    )
+    workspace.package({"pkg/__init__.py": "", "pkg/demo.py": CHOSEN, "setup.py": setup})
+    told = {(entry.name, entry.confidence) for entry in workspace.interfaces()}
+    assert told == {("/{topic}", "pattern")}

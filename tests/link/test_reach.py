@@ -50,3 +50,35 @@ def test_what_a_name_leads_to_is_asked_once_for_all_modules(tmp_path: Path) -> N
         modules = workspace.modules().values()
         assert sum("/report" in {entry.name for entry in each.signature.interfaces} for each in modules) == count
     assert 0 < _looked_up(ten.root) == _looked_up(two.root)
+
+
+_MONITOR = """
+import rclpy
+from std_msgs.msg import String
+
+
+class {name}Monitor:
+    def run(self):
+        node = rclpy.create_node("{low}")
+        node.create_subscription(String, "{low}", self.called, 10)
+
+    @staticmethod
+    def main():
+        {name}Monitor().run()
+
+
+if __name__ == "__main__":
+    {name}Monitor.main()
+"""
+
+
+def _subscribed(workspace: Workspace) -> dict[str, set[str]]:
+    return {name: {each.name for each in module.signature.interfaces} for name, module in workspace.modules().items()}
+
+
+def test_a_method_that_is_asked_of_a_class_is_that_of_no_other_program(workspace: Workspace) -> None:
+    """`OneMonitor.main()` runs nothing of `TwoMonitor.main`, which another program of the package has."""
+    scripts = {f"pkg/{low}.py": _MONITOR.format(name=low.title(), low=low) for low in ("one", "two")}
+    build = "project(pkg)\ninstall(PROGRAMS pkg/one.py pkg/two.py DESTINATION lib/${PROJECT_NAME})\n"
+    workspace.package({**scripts, "CMakeLists.txt": build})
+    assert _subscribed(workspace) == {"ecm.pkg.one": {"/one"}, "ecm.pkg.two": {"/two"}}

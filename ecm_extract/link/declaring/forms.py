@@ -38,6 +38,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         qos: position of the QoS profile or queue size. default: position of a parameter's default.
         out: position of the variable that receives a parameter's value.
         receiver: last names of the classes whose objects have the method; empty for any.
+        below: the member of its object that stands before the name, with a point between them.
         gives: what the method returns, as a qualified class name: a sign of the class of an object of unknown type.
         node: position of the node or node handle when it is an argument.
         fixed: the name, when the form implies it; `~/x` is private, or below the handle at `node` where one is given.
@@ -65,6 +66,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     default: str = ""
     out: str = ""
     receiver: tuple[str, ...] = ()
+    below: str = ""
     gives: str = ""
     node: str = ""
     fixed: str = ""

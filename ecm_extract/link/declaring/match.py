@@ -98,8 +98,8 @@ class Matcher:
 
     def _receiver(self, form: Form, call: Invocation, env: Env) -> bool:
         """Whether the object is of a class of the row; of one of unknown type what is done with it tells that."""
-        if call.receiver is None:
-            return False
+        if call.receiver is None or call.receiver == Name("this"):
+            return self._derives(form, call)
         written = self.folder.objects.type_of(call.receiver, env)
         if not written:
             return self.signs.show(form, call, env)
@@ -107,6 +107,13 @@ class Matcher:
         target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
         last = last_name(plain(pointee(target)))
         return last in form.receiver or any(last == entry + "Ptr" for entry in form.receiver)
+
+    def _derives(self, form: Form, call: Invocation) -> bool:
+        """Whether the class of the object at hand derives from one of the row, and has no such method itself."""
+        own = self.folder.nesting.object_of(call.func) if call.simple or call.receiver is not None else None
+        lineage = self.folder.program.ancestry(own) if own is not None else ()
+        bases = (last_name(plain(base)) for cls in lineage for base in cls.fact.bases)
+        return any(base in form.receiver for base in bases) and not self._is_own(call)
 
     def _is_brought(self, form: Form, call: Invocation, env: Env) -> bool:
         """Whether a function is named by what `using` or an alias brings; the methods of a class hide such names."""

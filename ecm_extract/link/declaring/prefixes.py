@@ -1,11 +1,14 @@
-"""Names that an object puts a prefix before, which one of its methods sets: `loader.setPrefix("camera/")`."""
+"""Names that an object puts a prefix before.
+
+One of its methods sets it, `loader.setPrefix("camera/")`, or it is a member: a layer of a costmap has its name there.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Opaque
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
 from msgspec.structs import replace
 
@@ -20,12 +23,19 @@ _OPEN: Final = Opaque("prefix")
 
 def prefixed(call: Invocation, form: Form) -> Invocation:
     """Return a call of a form with the prefix of its object put before the name; any other call as it is."""
-    name = name_argument(form, call) if form.prefix and call.receiver is not None else None
-    prefix = _prefix(call, form.prefix) if name is not None else None
+    name = name_argument(form, call) if form.prefix or form.below else None
+    prefix = _before(call, form) if name is not None else None
     if name is None or prefix is None:
         return call
     args = [Op("+", (prefix, arg)) if arg is name else arg for arg in call.args]
     return replace(call, args=tuple(args))
+
+
+def _before(call: Invocation, form: Form) -> Expr | None:
+    """What stands before the names of a call: a member of its object, or what that was told."""
+    if form.below:
+        return Op("+", (Member(call.receiver or Name("this"), form.below), Text(".")))
+    return _prefix(call, form.prefix) if call.receiver is not None else None
 
 
 def _prefix(call: Invocation, setter: str) -> Expr | None:

@@ -35,6 +35,11 @@ class Site:
     places: tuple[Env, ...] = ()
     certain: bool = True
 
+    @property
+    def is_absolute(self) -> bool:
+        """Whether its row implies the whole name, which no handle and no node changes."""
+        return self.form.fixed.startswith("/")
+
     def steps(self) -> Iterator[tuple[Invocation, Env]]:
         """Yield each call with where it is evaluated, outermost call first."""
         yield from zip((*self.chain, self.call), (*self.places, self.env), strict=True)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Set
 from functools import cache
-from typing import Final
+from typing import Final, NamedTuple
 
 import msgspec
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.shipped import shipped_as
@@ -38,6 +39,57 @@ def asked_type(call: Invocation) -> str | None:
     """Return the type that the statement of a call asks its value for; None where it does not, or for several."""
     found = {kind for kind in _kinds(call) if kind is not None}
     return found.pop() if len(found) == 1 else None
+
+
+class AskedElsewhere:
+    """Tells for what type the methods of a class, or a function, read a parameter by its name; each is read once."""
+
+    def __init__(self) -> None:
+        self._of: dict[Cls | Func, frozenset[_Asked]] = {}
+
+    def type_of(self, name: Expr | None, call: Invocation) -> str | None:
+        """Return the type that others than the statement of a call read its parameter for; None for several."""
+        unit = call.func.holder or call.func
+        if not isinstance(name, Text):
+            return None
+        if unit not in self._of:
+            methods = unit.methods if isinstance(unit, Cls) else (unit,)
+            self._of[unit] = frozenset(each for func in methods for each in _asked_in(func))
+        found = {each.kind for each in self._of[unit] if each.name == name.value and each.node == _node(call.receiver)}
+        return found.pop() if len(found) == 1 else None
+
+
+class _Asked(NamedTuple):
+    """A type for which a parameter of a node is read."""
+
+    name: str
+    node: Expr
+    kind: str
+
+
+def _asked_in(func: Func) -> Iterator[_Asked]:
+    named = _asking().python if func.file.language == "python" else _asking().cpp
+    for statement in func.fact.body:
+        for expr, _ in expressions(statement):
+            read = _read_for(expr.base) if isinstance(expr, Member) and expr.name in named else None
+            if isinstance(expr, Member) and read is not None and isinstance(read.args[0], Text):
+                receiver = read.callee.base if isinstance(read.callee, Member) else None
+                yield _Asked(read.args[0].value, _node(receiver), named[expr.name])
+
+
+def _read_for(expr: Expr) -> Call | None:
+    """Return the call that reads the parameter whose value an expression takes: `get_parameter("a").as_int()`."""
+    while isinstance(expr, Call):
+        if len(expr.args) == 1 and _last_part(expr.callee) == _READ:
+            return expr
+        if not isinstance(expr.callee, Member):
+            return None
+        expr = expr.callee.base
+    return None
+
+
+def _node(receiver: Expr | None) -> Expr:
+    return receiver or Name("this")
 
 
 def _kinds(call: Invocation) -> Iterator[str | None]:

@@ -11,7 +11,7 @@ from ecm_extract.link.code.numbers import as_number
 from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.declaring.site import Site
-from ecm_extract.link.endpoints.asked_types import asked_type
+from ecm_extract.link.endpoints.asked_types import AskedElsewhere, asked_type
 from ecm_extract.link.folding.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
 from ecm_extract.link.folding.durations import counted
 from ecm_extract.link.folding.fold import Folder
@@ -32,6 +32,7 @@ class EndpointTypes:
     def __init__(self, folder: Folder, types: Types) -> None:
         self.folder = folder
         self.types = types
+        self._asked = AskedElsewhere()
 
     def of(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
         """Return the type of a site, and the default of a parameter as data, `UNKNOWN` when nothing shows it."""
@@ -49,6 +50,8 @@ class EndpointTypes:
         known = known or self._target_type(site)
         known = known or self._read_type(site) or self._described(site) or asked_type(site.call)
         known = known or self._partly_text(default, site.env) or self._of_environment(default, site.env)
+        if known is None and default is None:
+            known = self._asked.type_of(name_argument(site.form, site.call), site.call)
         return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else held_default(data, known)
 
     def _data(self, default: Expr | None, env: Env) -> Any:

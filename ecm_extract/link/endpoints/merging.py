@@ -11,21 +11,25 @@ import msgspec
 from ecm_checker.contract import Confidence, Evidence, Interface, Qos
 from ecm_checker.hub.condition import Condition, text_of
 
+from ecm_extract.link.endpoints.open_defaults import OpenDefaults
 from ecm_extract.link.endpoints.qos_presets import UNSEEN
 from ecm_extract.link.running.values import surer, weaker
 
 _POLICIES: Final = tuple(name for name in Qos.__struct_fields__ if name != "defaulted")
 
 
-def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
+_NONE_OPEN: Final = OpenDefaults()
+
+
+def merged(interfaces: Iterable[Interface], open_: OpenDefaults = _NONE_OPEN) -> tuple[Interface, ...]:
     """Join records of one endpoint that several lines make: same role, name and type; evidence adds up.
 
     Transforms are told by their pair of frames too; a listener without one has what is looked up first. Where lines
-    give a parameter different defaults, which of them holds is not known. It is as sure as the surest line that makes
-    it under all that the record says.
+    give a parameter different defaults, or one nobody sees (`open_`), which of them holds is not known. It is as sure
+    as the surest line that makes it under all that the record says.
     """
-    entries = list(interfaces)
-    unsure = _of_several_defaults(entries)
+    entries = [_untyped(each, open_) for each in interfaces]
+    unsure = _of_several_defaults(entries) | open_.names
     frames, types = _first_frames(entries), _first_types(entries)
     by_key: dict[_Key, Interface] = {}
     for entry in (_undecided(each, unsure) for each in entries):
@@ -91,6 +95,12 @@ def _of_several_defaults(entries: Iterable[Interface]) -> frozenset[str]:
         if entry.row.value and entry.default is not None and entry.default not in defaults[entry.name]:
             defaults[entry.name].append(entry.default)
     return frozenset(name for name, found in defaults.items() if len(found) > 1)
+
+
+def _untyped(entry: Interface, open_: OpenDefaults) -> Interface:
+    """A parameter without the type that its default gives it, where a run may give it another one."""
+    told = entry.row.value and entry.default is not None and entry.name in open_.untyped
+    return msgspec.structs.replace(entry, type=None) if told else entry
 
 
 def _undecided(entry: Interface, unsure: Collection[str]) -> Interface:

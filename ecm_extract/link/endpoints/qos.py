@@ -15,7 +15,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member,
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, presets
+from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, presets
 from ecm_extract.link.endpoints.qos_values import milliseconds, policy_word
 from ecm_extract.link.endpoints.qos_variables import QosVariables
 from ecm_extract.link.folding.data import declared_type, plain_type
@@ -57,7 +57,7 @@ class QosReader:
         """Return the profile of a ROS 2 endpoint; without an expression the default one."""
         policies = self.policies(expr, env, 0) if expr is not None else {}
         known = policies or {}
-        default = presets()["default"][1]
+        default = presets()[DEFAULT][1]
         filled = {key: known.get(key, default[key]) for key in _BASIC}
         if filled["history"] in _WITHOUT_DEPTH and "depth" not in known:
             filled["depth"] = None
@@ -90,11 +90,11 @@ class QosReader:
     def _of_kind(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
         if isinstance(expr, Number):
             return {"history": "keep_last", "depth": truncated(expr.value)}
-        preset = self._preset(expr)
-        if preset is not None and not isinstance(expr, Call):
-            return preset
         if isinstance(expr, Call):
             return self._call(expr, env, level)
+        preset = self._preset(expr, env, level)
+        if preset is not None:
+            return preset
         if isinstance(expr, Name | Member):
             return self._variable(expr, env, level)
         if isinstance(expr, Op) and expr.op == "?:":
@@ -123,26 +123,35 @@ class QosReader:
         written = declared_type(plain_type(returned or self.folder.objects.type_of(expr, env)))
         return {"history": "keep_last", "depth": None} if written == "integer" else None
 
-    def _preset(self, expr: Expr) -> dict[str, Any] | None:
-        if (
-            isinstance(expr, Member) and expr.name == "value"
-        ):  # of an enumeration: `QoSPresetProfiles.SENSOR_DATA.value`
-            return self._preset(expr.base)
-        text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
-        found = presets().get(last_name(text)) if text else None
-        return {**found[1], "profile": found[0]} if found is not None else None
+    def _preset(self, expr: Expr, env: Env, level: int) -> dict[str, Any] | None:
+        """A profile of a client library by its name; None for what the tree gives the same name."""
+        if isinstance(expr, Member) and expr.name == "value":  # `QoSPresetProfiles.SENSOR_DATA.value`
+            expr = expr.base
+        written = dotted_name(expr)
+        found = presets().get(self._spelled(written, env)) if written else None
+        if found is None or self.folder.scope.constant(written, env) is not None:
+            return None
+        is_own = isinstance(expr, Name) and self.variables.at(expr, env, level) is not None
+        return {**found[1], "profile": found[0]} if not is_own else None
+
+    def _spelled(self, written: str, env: Env) -> str:
+        """The last part of a name, with the enumeration before it: of Python as the library calls it, not an alias."""
+        if env.func.file.language != "python":
+            return last_name(written)
+        *around, name = (self.folder.program.outside(written, env.func.file) or written).split(".")
+        return f"{around[-1]}.{name}" if around and name.isupper() else name
 
     def _call(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
         callee = expr.callee
         if isinstance(callee, Member) and not (dotted_name(callee) and env.func.file.language == "python"):
             return self._method(callee, expr, env, level)
         name = last_name(dotted_name(callee) or (callee.id if isinstance(callee, Name) else ""))
-        found = presets().get(name)
-        if found is not None:
-            return {**found[1], "profile": found[0]}
         own = self._own_class(expr, env, level)
         if own is not None:
             return own
+        found = presets().get(name)
+        if found is not None:
+            return {**found[1], "profile": found[0]}
         if name in _WRAPPERS or name.endswith("QoS"):
             return self._profile(name, expr, env, level)
         return self._function(expr, env, level)
@@ -244,7 +253,7 @@ class QosReader:
         return self.policies(expr, around, level + 1) if around is not None else self._constant(expr, name, env, level)
 
     def _constant(self, expr: Name | Member, name: str, env: Env, level: int) -> dict[str, Any]:
-        constant = self.folder.scope.constant(name, env)
+        constant = self.folder.scope.constant(dotted_name(expr).removesuffix(".value") or name, env)
         if constant is None or constant[0].value is None:
             return self._unseen(expr, env)
         return self.policies(constant[0].value, self.folder.names.stated_at(*constant, env), level + 1)

@@ -13,6 +13,8 @@ UNSEEN: Mapping[str, Any] = MappingProxyType(
     {"reliability": "unknown", "durability": "unknown", "history": "unknown", "depth": None}
 )
 """Policies that source sets to what the tree does not show."""
+DEFAULT = "qos_profile_default"
+"""What an endpoint has whose source sets nothing."""
 
 
 @cache
@@ -28,7 +30,7 @@ def presets() -> Mapping[str, tuple[str, Mapping[str, Any]]]:
 
 def agreed(sides: Sequence[dict[str, Any]]) -> dict[str, Any]:
     """Return what all sides of a choice set alike; what they set differently is unknown."""
-    default = presets()["default"][1]
+    default = presets()[DEFAULT][1]
     values = {
         key: {side.get(key, default.get(key)) for side in sides} for key in dict.fromkeys(k for s in sides for k in s)
     }

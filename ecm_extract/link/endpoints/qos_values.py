@@ -15,9 +15,12 @@ _UNITS = {"s": 1000.0, "ms": 1.0, "us": 0.001, "ns": 1e-6, "min": 60000.0, "h": 
 
 
 def policy_word(expr: Expr) -> str:
-    """Return the policy that a constant names: `ReliabilityPolicy.BEST_EFFORT`, `ReliabilityPolicy::BestEffort`."""
-    text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
-    squeezed = last_name(text).replace("_", "").lower()
+    """Return the policy that a constant names: `ReliabilityPolicy.BEST_EFFORT`, `ReliabilityPolicy::BestEffort`.
+
+    Variables begin in lower case: what is called `reliable` may hold any policy, or tell whether it is that one.
+    """
+    text = last_name(expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else "")
+    squeezed = text.replace("_", "").lower() if text[:1].isupper() else ""
     return next((word for word in _WORDS if squeezed.endswith(word.replace("_", ""))), "")
 
 

@@ -26,6 +26,7 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
 from ecm_extract.link.folding.comprehended import Comprehended
+from ecm_extract.link.folding.enumerations import Enumerations
 from ecm_extract.link.folding.fold_calls import CallFolder
 from ecm_extract.link.folding.fold_fields import FieldFolder
 from ecm_extract.link.folding.fold_held import HeldFolder
@@ -112,6 +113,7 @@ class Folder:
         self.calls = CallFolder(self)
         self.origins = Origins(self)
         self.lists = ListFolder(self)
+        self.enumerations = Enumerations(self)
         self.comprehended = Comprehended(self)
         self.returns = ReturnFolder(self)
         self.texts = TextFolder(self)

@@ -139,7 +139,8 @@ class ListFolder:
             return self._of_op(expr, inner)
         if not isinstance(expr, Name | Member):
             return None
-        return in_their_order(self._of_variable(expr, inner), expr, env, self.folder)
+        found = in_their_order(self._of_variable(expr, inner), expr, env, self.folder)
+        return self.folder.enumerations.elements(expr, inner) if found is None else found
 
     def _spread(self, expr: Items, env: Env) -> list[Bound] | None:
         """The elements of a display, `*spread` ones in place."""
@@ -294,8 +295,9 @@ class ListFolder:
     def is_others(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether functions that have the object of a member change it, so that no method here shows it."""
         name, cls = expr.id if isinstance(expr, Name) else expr.name, env.this or env.func.cls
-        own = is_own_member(expr)
-        if cls is None or not (own or (isinstance(expr, Name) and self.folder.scope.member_type(name, cls))):
+        if cls is None or not (
+            is_own_member(expr) or (isinstance(expr, Name) and self.folder.scope.member_type(name, cls))
+        ):
             return False
         return self.folder.changed_outside.is_changed(name, cls)
 

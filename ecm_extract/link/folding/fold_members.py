@@ -36,6 +36,7 @@ from ecm_extract.link.running.values import (
     lowered,
     set_by,
     unknown,
+    without_defaults,
 )
 
 if TYPE_CHECKING:
@@ -70,6 +71,9 @@ class MemberFolder:
         pointed = self.folder.searches.part(expr, env)
         if pointed is not None:
             return demoted(self.folder.lists.fold(pointed, env))
+        named = self.folder.enumerations.named(expr.base, env) if expr.name == "name" else ()
+        if named:
+            return named
         part = self.folder.structures.field(expr, env) or begun_field(expr, env, self.folder)
         if not part and expr.name in VALUE_READS:
             return read_as(expr.name, self.folder.fold(expr.base, env.before(env.at)))
@@ -134,7 +138,8 @@ class MemberFolder:
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return ()
-        values = self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+        found = self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+        values = tuple([without_defaults(value) for value in found])  # who made that object may have said otherwise
         asked = _is_plain(cls) or any(value.confidence == "pattern" for value in values)
         read = self.folder.given_fields.of_parameters(expr.name, cls, env) if asked else ()
         if read:

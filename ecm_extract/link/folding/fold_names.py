@@ -11,6 +11,7 @@ from ecm_parsers.source.expr import Expr, Name
 from ecm_parsers.source.facts import Constant, Function
 
 from ecm_extract.infer.held import Held
+from ecm_extract.link.code.calls import invocations
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.running.env import Bound, Env
@@ -116,9 +117,19 @@ class NameFolder:
         if bound is not None:
             return demoted(self.folder.fold(bound.expr, bound.env.before(bound.env.at)))
         default = next((entry.default for entry in env.func.fact.params if entry.name == name), None)
-        if default is not None and env.args:
+        if default is not None and (env.args or self._is_left_out(name, env)):
             return lowered(self.folder.fold(default, env.before(0)), "default")
         return (parameter(name, env.func.is_constructor, self._fallback(default, env)),)
+
+    def _is_left_out(self, name: str, env: Env) -> bool:
+        """Tell whether nobody hands a program its parameter: console scripts hand `main` nothing, its file may."""
+        func = env.func
+        if func.file.language != "python" or func.fact.name != "main" or func.cls is not None:
+            return False
+        names = [entry.name for entry in func.fact.params]
+        calls = (call for each in self.folder.program.functions_in(func.file) for call in invocations(each, {"main"}))
+        given = {key for call in calls for key in (*names[: len(call.args)], *(key for key, _ in call.keywords))}
+        return name not in given and given <= set(names)
 
     def _fallback(self, default: Expr | None, env: Env) -> str | None:
         """The text of a parameter's default, when it is one."""

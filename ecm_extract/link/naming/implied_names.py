@@ -25,14 +25,9 @@ def fixed_name(site: Site, folder: Folder) -> Value:
     return literal(text.removeprefix("~").lstrip("/") if of_handle else text)
 
 
-def is_absolute(site: Site) -> bool:
-    """Tell whether a row implies the whole name, which no handle and no node changes."""
-    return site.form.fixed.startswith("/")
-
-
 def name_below(site: Site, value: Value, handle: Handle, node: str | None) -> RosName:
     """Return the name of what a call makes, below its handle."""
-    if is_absolute(site):
+    if site.is_absolute:
         return RosName(value.text, value.text)
     make = parameter_name if site.form.row.value else endpoint_name
     return make(value, handle, node, site.root.file.ros)

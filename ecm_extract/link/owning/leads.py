@@ -16,7 +16,7 @@ from ecm_extract.link.code.decorators import are_known
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
-from ecm_extract.link.owning.mentioned import Mentions, mentions_of, mentions_of_class
+from ecm_extract.link.owning.mentioned import Mentions, OfName, mentions_of, mentions_of_class
 from ecm_extract.resolve.aliases import Declared
 from ecm_extract.shipped import shipped
 
@@ -91,7 +91,7 @@ class Leads:
         known = self._by_class.get(cls)
         if known is None:
             found = mentions_of_class(cls.fact)
-            known = self._by_class[cls] = _lead(found, self._outside(found, cls.file))
+            known = self._by_class[cls] = _lead(found, self._outside(found, cls.file), self._all_owned(found, cls.file))
         return known
 
     def of_bases(self, cls: Cls) -> Lead:
@@ -113,11 +113,23 @@ class Leads:
         tables = (program.functions, program.classes, program.constants, program.aliases.last_names)
         return (Asked(name, place, makes) for name in names if any(name in table for table in tables))
 
-    def _parts(self, found: Mentions, file: File) -> Iterator[Asked]:
+    def _parts(self, found: Mentions, file: File, scope: str = "") -> Iterator[Asked]:
         yield from self._asked(file, found.used)
+        yield from self._asked(file, [each.name for each in found.of_names if not self._owned(each, file, scope)])
         yield from self._asked(file, found.held, makes=False)
         for name, around, placed in found.within:
             yield from (each._replace(around=around, placed=placed) for each in self._asked(file, [name]))
+
+    def _all_owned(self, found: Mentions, file: File, scope: str = "") -> list[Func]:
+        return [func for each in found.of_names for func in self._owned(each, file, scope)]
+
+    def _owned(self, asked: OfName, file: File, scope: str) -> Sequence[Func]:
+        """What a name means that is asked of a class which is known: its method, and none of other classes."""
+        if file.language != "python" or asked.name not in self.program.functions:
+            return ()
+        cls = self.program.class_named(asked.owner, file, scope)
+        methods = (func for each in self.program.ancestry(cls) for func in each.methods) if cls is not None else ()
+        return [func for func in methods if func.fact.name == asked.name]
 
     def _outside(self, found: Mentions, file: File) -> Iterator[Asked]:
         """All names of what stands outside of functions."""
@@ -130,9 +142,10 @@ class Leads:
         name, file, makes, *_ = asked
         constants = [(other, mentions_of_constant(one)) for other, one in self.program.seen_constants(name, file)]
         mentioned = {each for other, found in constants for each in self._outside(found, other)}
+        owned = [func for other, found in constants for func in self._all_owned(found, other)]
         return Lead(
             frozenset(mentioned.union(self._aliased(asked))),
-            self.program.seen_functions(name, file),
+            [*self.program.seen_functions(name, file), *owned],
             self.program.seen_classes(name, file) if makes else (),
             any(found.any for _, found in constants),
             any(found.any_method for _, found in constants),
@@ -187,14 +200,14 @@ class Leads:
         found = mentions_of(func)
         own = [each for each in self.program.functions_in(func.file) if each.fact.name in found.plain]
         asked = {
-            *self._parts(found, func.file),
+            *self._parts(found, func.file, func.scope),
             *self._asked(func.file, found.plain - {each.fact.name for each in own if each.cls is None}),
             *self._asked(func.file, _imported(func.file, found.plain)),
             *self._asked(func.file, _imported(func.file, found.held), makes=False),
         }
-        if _SUBCLASSES in found.used:
+        if _SUBCLASSES in found.used.union(each.name for each in found.of_names):
             asked.update(self._asked(func.file, self._derived_names(found)))
-        return _lead(found, asked, own)
+        return _lead(found, asked, [*own, *self._all_owned(found, func.file, func.scope)])
 
     def _derived_names(self, known: Mentions) -> Iterator[str]:
         """`Part.__subclasses__()` gives all classes that derive from one."""

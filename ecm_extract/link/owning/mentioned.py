@@ -30,16 +30,25 @@ class Within(NamedTuple):
     placed: bool
 
 
+class OfName(NamedTuple):
+    """A name that is asked of another name, which may be a class: `Robot.main`."""
+
+    name: str
+    owner: str
+
+
 @dataclass(slots=True)
 class Mentions:
     """Last names that are called, made or handed over: `plain` ones stand alone, `used` ones are asked of something.
 
-    `held`: something is asked of it. `within`: names that types ask of others.
+    `of_names`: used ones that are asked of a name. `held`: something is asked of it. `within`: names that types ask of
+    others.
     `any`: it calls what nobody knows before it runs; `any_method`: of some object.
     """
 
     plain: set[str] = field(default_factory=set)
     used: set[str] = field(default_factory=set)
+    of_names: set[OfName] = field(default_factory=set)
     held: set[str] = field(default_factory=set)
     within: set[Within] = field(default_factory=set)
     any: bool = False
@@ -73,8 +82,11 @@ class Mentions:
 
     def _member(self, expr: Member) -> Iterator[Expr]:
         """`a.b.c()`: `c` is asked of `b`, which is asked of `a`; of a class it may be asked without an object."""
-        self.used.add(expr.name)
         base = expr.base
+        if isinstance(base, Name):
+            self.of_names.add(OfName(expr.name, base.id))
+        else:
+            self.used.add(expr.name)
         while isinstance(base, Member):
             self.held.add(base.name)
             base = base.base
@@ -121,6 +133,16 @@ def mentions_of(func: Func) -> Mentions:
         found.add_type(parameter.type)
     for decorator in func.fact.decorators:
         found.add_type(decorator)
+    return _without_variables(found, func)
+
+
+def _without_variables(found: Mentions, func: Func) -> Mentions:
+    """A variable of a function hides a class of its name: what is asked of it may be of any object."""
+    targets = {statement.target.id for statement in func.fact.body if isinstance(statement.target, Name)}
+    hidden = targets.union(parameter.name for parameter in func.fact.params)
+    for each in [each for each in found.of_names if each.owner in hidden]:
+        found.of_names.remove(each)
+        found.used.add(each.name)
     return found
 
 

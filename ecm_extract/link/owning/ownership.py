@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.client_libraries import is_client_library
 from ecm_extract.link.declaring.site import Site
@@ -14,6 +16,8 @@ from ecm_extract.link.owning.modules import Module, Modules
 from ecm_extract.link.owning.reach import Reach
 from ecm_extract.link.owning.references import Unit
 from ecm_extract.link.running.values import Hole, Value
+
+_VIRTUAL: Final = frozenset({"virtual", "pure", "override"})
 
 
 class Ownership:
@@ -41,7 +45,7 @@ class Ownership:
         line = [call.func for call in (*site.chain, site.call)]
         owners = [each for each in owners if all(self.modules.links(each, func) for func in line)]
         through = self._through(unit, site)
-        unused = any(self.constructors.is_unused(func) for func in through)
+        unused = any(self.constructors.is_unused(func) for func in through) or self._is_hidden(site.root)
         reached = [] if unused else [each for each in owners if self.reach.reaches(each, through)]
         running = self._deciding(site, reached)
         if not owners or (running and running[0].kind != "library"):
@@ -80,6 +84,16 @@ class Ownership:
         first = next((at for at, func in enumerate(line) if func is unit or func.cls in family), -1)
         return line[first:]
 
+    def _is_hidden(self, func: Func) -> bool:
+        """Tell whether nobody runs a function: a private method of C++ that no call and no callback names."""
+        if func.cls is None or func.file.language != "cpp" or func.is_constructor or overrides(func):
+            return False
+        name, callers = func.fact.name, self.sites.folder.states.callers
+        traits = {trait for each in func.cls.methods if each.fact.name == name for trait in each.fact.traits}
+        if "private" not in traits or _VIRTUAL & traits or callers.may_be_called_outside(name, func.cls):
+            return False
+        return not self.sites.calls.get(name) and not self.modules.references.hands(name)
+
     def _is_only_offered(self, site: Site) -> bool:
         """A helper that nobody calls declares nothing in the modules that could call it."""
         if site.root.is_constructor or overrides(site.root) or site.form.fixed or site.form.items:
@@ -91,7 +105,9 @@ class Ownership:
 def _is_in_a_table(unit: Unit) -> bool:
     """Tell whether what stands outside of functions mentions a unit: a table of callbacks, a global object."""
     found = [mentions_of_constant(constant) for constant in unit.file.facts.constants]
-    return any(unit.fact.name in (*each.plain, *each.used, *(one.name for one in each.within)) for each in found)
+    asked = {name for each in found for name in (*each.plain, *each.used)}
+    asked.update(one.name for each in found for one in each.within)
+    return unit.fact.name in asked.union(one.name for each in found for one in each.of_names)
 
 
 def _is_told_by_rows(site: Site, module: Module) -> bool:

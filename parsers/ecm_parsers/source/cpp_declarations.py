@@ -155,6 +155,8 @@ class DeclarationReader:
             if len(args) == 1 and kind is not None and holds_several(name):
                 listed = given(name, args, node.type == "initializer_list")
                 return Call(Name(name), listed, (), self.expr.template_arguments(kind), lines_of(node)[0])
+            if not args and kind is not None and kind.type == "primitive_type" and declarator.type in _PLAIN:
+                return Call(Name(name), (), (), (), lines_of(node)[0])
             return args[0] if len(args) == 1 else Items(args) if args else None
         return self.expr.read(node)
 
@@ -318,4 +320,5 @@ _DECLARATIONS = {
     "preproc_def": DeclarationReader.define,
     "enum_specifier": DeclarationReader.enum,
 }
+_PLAIN = frozenset({"identifier", "field_identifier"})
 _NOT_BASES = frozenset({"access_specifier", "virtual", "comment"})

@@ -44,12 +44,11 @@ def _field(reader: DeclarationReader, node: Node, place: Place) -> list[Field]:
         reader.read(kind, Place(place.scope, place.access, place.anonymous))
     words = leading_words(reader.expr, node)
     fields = []
-    for declarator in node.children_by_field_name("declarator"):
+    for declarator, default in _declared(node):
         function = function_declarator(declarator)
         if function is not None:
             reader.add_function(node, function, place, words)
             continue
-        default = node.child_by_field_name("default_value")
         value = reader.initial(default, kind, declarator)
         name = declared_name(reader.expr, declarator)
         written = declared_type(reader, kind, declarator)
@@ -62,6 +61,18 @@ def _field(reader: DeclarationReader, node: Node, place: Place) -> list[Field]:
             reader.constants.append(Constant(name, place.scope, value, lines_of(node)[0], written, traits))
         fields.append(Field(name, written, lines_of(declarator)[0], value, traits))
     return fields
+
+
+def _declared(node: Node) -> list[tuple[Node, Node | None]]:
+    """Each declarator of a field with its own default: `double low = 1.0, high;` gives `high` none."""
+    found: list[tuple[Node, Node | None]] = []
+    for at, child in enumerate(node.children):
+        kind = node.field_name_for_child(at)
+        if kind == "declarator":
+            found.append((child, None))
+        elif kind == "default_value" and found:
+            found[-1] = (found[-1][0], child)
+    return found
 
 
 def declared_type(reader: DeclarationReader, kind: Node | None, declarator: Node) -> str:

@@ -6,7 +6,7 @@ import msgspec
 import pytest
 from ecm_parsers.source import cpp_parser
 from ecm_parsers.source.cpp import MAX_BYTES, parse_cpp
-from ecm_parsers.source.expr import Call, Items, Name, Number, Op, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Name, Number, Op, Text
 from ecm_parsers.source.facts import Alias, Import, SourceFile, Using
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -343,3 +343,21 @@ def test_explicit_specializations_say_for_what_they_are(text: str, expected: tup
     """The arguments behind the own name of a function; what its class is given is none of its own."""
     (function,) = parse_cpp(text.encode()).facts.functions
     assert (function.name, function.specializes) == ("get", expected)
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        ("low = 1, high = 2, rest", [Number(1), Number(2), None]),
+        ("low, high = 2", [None, Number(2)]),
+        ("low{1}, high{2}", [Number(1), Number(2)]),
+        ("*low{}, high{2}", [None, Number(2)]),
+        ("low{}, high{2}", [Call(Name("int"), (), line=1), Number(2)]),
+        ("*low = &other, high = 2", [Op("&", (Name("other"),)), Number(2)]),
+    ],
+)
+def test_each_of_several_fields_has_its_own_value(written: str, expected: list[Expr | None]) -> None:
+    """What one of them begins with is none of what the others do."""
+    facts = parse_cpp(f"class A {{ int {written}; static constexpr int {written}; }};".encode()).facts
+    assert [field.default for field in facts.classes[0].fields] == [*expected, *expected]
+    assert [constant.value for constant in facts.constants] == expected
