@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos
@@ -147,7 +147,7 @@ class Linker:
     def attributed(self) -> list[LinkedModule]:
         """Return what `link` does, once parameters are declared."""
         nodes = self._class_nodes()
-        self.modules.find({unit: name.text for unit, name in nodes.items()})
+        self.modules.find({unit: name.text for unit, name in nodes.items() if "{" not in name.text})
         found: dict[Module, list[Interface]] = defaultdict(list)
         sites = [*self.sites.find(parameters=False), *self.parameter_sites]
         self.helpers = frozenset([each.func.fact.name for site in sites for each in (*site.chain, site.call)])
@@ -228,7 +228,7 @@ class Linker:
         stamped = tuple(dict.fromkeys(self._stamped.get(module, ())))
         told = tuple(dict.fromkeys(self._diagnosed.get(module, ())))
         node = self._node(module, nodes)
-        text, at = (node.text, node.at) if node is not None else (None, None)
+        text, at = (node.text, node.at) if node is not None and "{" not in node.text else (None, None)
         return LinkedModule(module, text, interfaces, local, claims, seen, managed, stamped, lines, told, at)
 
     def _node(self, module: Module, nodes: Mapping[Cls, NodeName]) -> NodeName | None:
@@ -300,7 +300,7 @@ class Linker:
         if data is not UNKNOWN or default is None or site.chain:
             return kind, data
         places = self.sites.makings(site.call.func, site.call.at)
-        found = [self.typing.of(replace(site, env=place), default) for place in places]
+        found = [self.typing.of(self.sites.placed(site, place), default) for place in places]
         agreed = found[0] if found and all(each == found[0] for each in found) else (kind, data)
         return agreed[0] or kind, agreed[1]
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator
-from typing import NamedTuple
+from itertools import takewhile
+from typing import Final, NamedTuple
 
 import msgspec
 from ecm_parsers.source.expr import (
@@ -13,6 +14,7 @@ from ecm_parsers.source.expr import (
     Member,
     Name,
     Op,
+    Opaque,
 )
 from ecm_parsers.source.facts import Statement
 
@@ -133,6 +135,30 @@ def spreads(call: Invocation) -> bool:
     if call.func.file.language != "python":
         return False
     return any(map(is_spread, call.args)) or any(name == SPREAD for name, _ in call.keywords)
+
+
+PLACEHOLDER: Final = "*"
+"""Begins the names of arguments that stand for others; no variable has such a name."""
+
+
+def placed_arguments(call: Invocation) -> tuple[Expr, ...]:
+    """Return the arguments whose place among all that a call gives is known."""
+    if not spreads(call):
+        return call.args
+    return tuple(takewhile(lambda arg: not is_spread(arg), call.args))
+
+
+def unseen_argument(call: Invocation, by_name: bool) -> Expr | None:
+    """Return what stands for arguments that a call spreads and that nothing shows; None where it spreads none.
+
+    That of callers is a name; of others nothing is known.
+    """
+    if not spreads(call):
+        return None
+    placed = [arg.operands[0] for arg in call.args if isinstance(arg, Op) and is_spread(arg)]
+    named = [value for name, value in call.keywords if name == SPREAD]
+    found = next(iter([*named, *placed] if by_name else [*placed, *named]), None)
+    return found if isinstance(found, Name) and found.id.startswith(PLACEHOLDER) else Opaque(SPREAD)
 
 
 def one_node(func: Func, args: tuple[Expr, ...]) -> tuple[Expr, ...]:

@@ -43,6 +43,7 @@ from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.optionals import OptionalFolder
 from ecm_extract.link.folding.own_copies import OwnCopies
 from ecm_extract.link.folding.searches import SearchFolder
+from ecm_extract.link.folding.spreading import Spreading
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.folding.typed_numbers import TypedNumbers
@@ -118,6 +119,7 @@ class Folder:
         self.kept = KeptObjects(self)
         self.own_copies = OwnCopies(self)
         self.tables = TableFolder(self)
+        self.spreading = Spreading(self)
         self.optionals = OptionalFolder(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)

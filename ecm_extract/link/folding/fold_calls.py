@@ -84,7 +84,7 @@ class CallFolder:
 
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
-        call = invocation_of(expr, env)
+        call, env = self.folder.spreading.known(invocation_of(expr, env), env)
         if call.path.endswith("names::resolve") and len(call.args) == 1:
             return self._absolute(call.args[0], env.before(env.at))
         tidied = is_resolver(call.last) or gives_name(call.path)

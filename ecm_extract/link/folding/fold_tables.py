@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ecm_parsers.source.expr import THIS, Call, Comprehension, Constant, Expr, Items, Member, Name, Table, Text
+from ecm_parsers.source.expr import THIS, Call, Comprehension, Constant, Expr, Items, Member, Name, Op, Table, Text
 
 from ecm_extract.infer.compute import NULL
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.containers import is_map
+from ecm_extract.link.running.arguments import SPREAD_KEY
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, constant, data_in, demoted, is_proved, unknown
 
@@ -72,12 +73,15 @@ class TableFolder:
 
     def _entries(self, expr: Expr, env: Env) -> list[Entry] | None:
         if isinstance(expr, Table):
-            return [Entry(Bound(k, env), Bound(v, env)) for k, v in expr.entries] if is_plain_table(expr) else None
+            return self._displayed(expr, env)
         if isinstance(expr, Comprehension) and isinstance(expr.element, Table):
             rows = self.folder.comprehended.elements(expr, env)
             return None if rows is None else [entry for row in rows for entry in self._entries(row.expr, row.env) or ()]
         if isinstance(expr, Call):
             return self._entries_of_call(expr, env)
+        if isinstance(expr, Op) and expr.op == "[]":
+            each = self._element(expr, env)
+            return self.entries(each.expr, each.env.deeper(env.depth + 1)) if each is not None else None
         if not isinstance(expr, Name | Member):
             return None
         ways = self.folder.flow.ways(expr, env)
@@ -93,6 +97,21 @@ class TableFolder:
         if found:
             return self.held_entries(*found[0]) if len(found) == 1 else None
         return self._declared_entries(expr, env)
+
+    def _element(self, expr: Op, env: Env) -> Bound | None:
+        """What a table has for a key, or a list at an index."""
+        entries = self.entries(expr.operands[0], env)
+        return self.folder.lists.element(expr, env) if entries is None else self.chosen(entries, expr.operands[1], env)
+
+    def _displayed(self, expr: Table, env: Env) -> list[Entry] | None:
+        """The entries of a display, those of tables that it spreads in place."""
+        found: list[Entry] = []
+        for key, value in expr.entries:
+            more = self.entries(value, env) if key == SPREAD_KEY else [Entry(Bound(key, env), Bound(value, env))]
+            if more is None:
+                return None
+            found += more
+        return found
 
     def _declared_entries(self, expr: Name | Member, env: Env) -> list[Entry] | None:
         if isinstance(expr, Name) and env.func.file.language == "python":

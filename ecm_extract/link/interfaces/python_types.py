@@ -46,7 +46,7 @@ class PythonTypes:
         bound = self.folder.names.argument(expr.id, env)
         if bound is not None:
             return self.types.expression(bound.expr, bound.env, role)
-        if any(parameter.name == expr.id for parameter in env.func.fact.params):
+        if expr.id in env.func.given:
             return TypeFound(None, frozenset({expr.id}))
         ways = self.folder.flow.ways(expr, env)
         if ways:
