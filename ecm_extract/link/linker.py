@@ -22,7 +22,7 @@ from ecm_extract.link.endpoints.claims import Claim, claims_of
 from ecm_extract.link.endpoints.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoints.endpoint_conditions import EndpointConditions
 from ecm_extract.link.endpoints.endpoint_types import EndpointTypes, role_of
-from ecm_extract.link.endpoints.fallbacks import fallback
+from ecm_extract.link.endpoints.fallbacks import default_of
 from ecm_extract.link.endpoints.frames import frame_of
 from ecm_extract.link.endpoints.generated import GeneratedParameters
 from ecm_extract.link.endpoints.listeners import LISTENER
@@ -199,7 +199,7 @@ class Linker:
                     self.parameters.declare(call.args[0].value, call.func.cls, (call.args[1], env))
 
     def _declare_defaults(self, sites: Iterable[Site]) -> None:
-        for site in sites:
+        for site in (each for each in sites if not each.form.fallback):
             owner = (site.owner,) if site.owner is not None else ()
             homes: tuple[Home, ...] = (site.root.file.package, site.root.file, *owner)
             for each in self._defaults(site):
@@ -312,16 +312,15 @@ class Linker:
 
     def _named(self, site: Site) -> list[tuple[Value, Expr | None]]:
         """Return the names of a site with the expression of each default."""
-        form, call = site.form, site.call
+        form = site.form
         if form.fixed:
             return [(fixed_name(site, self.folder), None)]
-        default = next(positions(form.default, call), None)
         if form.items:
             found = listed_parameters(site, self.folder)
             listed = [(each.name, each.default.expr if each.default else None) for each in found]
             return listed or [(unknown("parameters"), None)]
         values = self.sites.names(site)
-        default = default or fallback(site, site.call.at, self.folder)
+        default = default_of(site, values, self.folder)
         place = place_at(site, self.folder)
         return [(placed(value, place), default) for value in values[:MAX_NAMES]]
 

@@ -33,6 +33,7 @@ from ecm_extract.link.folding.fold_lists import ListFolder
 from ecm_extract.link.folding.fold_members import MemberFolder
 from ecm_extract.link.folding.fold_names import NameFolder
 from ecm_extract.link.folding.fold_operators import OperatorFolder
+from ecm_extract.link.folding.fold_parameters import ParameterFolder
 from ecm_extract.link.folding.fold_returns import ReturnFolder
 from ecm_extract.link.folding.fold_streams import StreamFolder
 from ecm_extract.link.folding.fold_tables import TableFolder
@@ -109,6 +110,7 @@ class Folder:
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
+        self.parameters = ParameterFolder(self)
         self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)

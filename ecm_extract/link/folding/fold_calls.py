@@ -23,6 +23,7 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.folding import formats
 from ecm_extract.link.folding.conversions import converted
 from ecm_extract.link.folding.fold_changes import STREAMS
+from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of_parameter
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.other_nodes import asks_another_node
@@ -37,7 +38,6 @@ from ecm_extract.link.running.values import (
     joined,
     literal,
     lowered,
-    set_by,
     setting,
     unknown,
 )
@@ -98,10 +98,12 @@ class CallFolder:
             return demoted(tuple([placed(value, CAMERA_INFO) for value in images]))
         read = self.folder.reads.read(call)
         if read is not None and asks_another_node(call, env, self.folder.objects):
-            named = self.folder.fold(read[0], env.before(env.at))[0].text
+            named = self.folder.fold(read.name, env.before(env.at))[0].text
             return (unknown(named.rpartition(".")[2].strip("{}") or call.last),)
         if read is not None:
-            return self.parameter_value(*read, env.before(env.at))
+            return self.folder.parameters.read_value(read, env.before(env.at))
+        if call.path in PARAMETER_OBJECTS:
+            return self.folder.fold(value_of_parameter(call), env.before(env.at))
         if call.path in _PATH_JOINS and call.args and not call.keywords:
             return self._path(call, env.before(env.at))
         formatted = formats.formatted(call)
@@ -267,37 +269,6 @@ class CallFolder:
         """Return the values of the pieces of a format, in order."""
         inner = env.before(env.at)
         return [(literal(part),) if isinstance(part, str) else self.folder.fold(part, inner) for part in parts]
-
-    def kept_value(self, name: Expr, kept: Sequence[Value], env: Env) -> tuple[Value, ...]:
-        """Return what a variable keeps that a parameter is read into which is not set."""
-        names = self.folder.fold(name, env)
-        values = lowered(kept, "default")
-        return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
-
-    def parameter_value(self, name: Expr, default: Expr | None, env: Env) -> tuple[Value, ...]:
-        """Return the value of a ROS parameter: its default where the call or a declaration has one."""
-        names = self.folder.fold(name, env)
-        owner = (env.this or env.func.cls) if env.func is not None else None
-        lineage = self.folder.program.ancestry(owner) if owner is not None else ()
-        known = self.folder.reads.default(names[0].text, env.func.file.package, (*lineage, env.func.file))
-        values = self.default_value(names[0].text, known, default, env)
-        return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
-
-    def default_value(
-        self, name: str, known: tuple[Expr, Env] | Value | None, default: Expr | None, env: Env
-    ) -> tuple[Value, ...]:
-        """Return the values of a default: of the call, else of the declaration, else a hole."""
-        values: tuple[Value, ...] = ()
-        if default is not None and not formats.is_unset(default):
-            values = lowered(self.folder.fold(default, env.before(env.at)), "default")
-        elif isinstance(known, Value):
-            values = lowered((known,), "default")
-        elif known is not None and not formats.is_unset(known[0]):
-            values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
-        if values and (values[0].text or len(values) > 1):
-            return values
-        empty = "" if values and values[0].data is None else None
-        return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}"), empty),)
 
 
 def _topic_of(made: Call, env: Env) -> Expr | None:
