@@ -18,6 +18,7 @@ from ecm_parsers.source.expr import (
 )
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.link.code.left_alone import SPREAD, is_spread
 from ecm_extract.link.code.pointed import given_to_pointed, makes_pointed
 from ecm_extract.link.code.spelling import (
     by_value,
@@ -36,10 +37,6 @@ class Step(NamedTuple):
     func: Func
     at: int
     statement: Statement
-
-
-SPREAD = "**"
-"""Name of the keyword that a table of arguments is."""
 
 
 class Invocation(msgspec.Struct, frozen=True, eq=False):
@@ -95,7 +92,7 @@ def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[In
 
 def _last_of(call: Call, func: Func) -> str:
     """The last name of a call, without building its path; of an imported name that of what it stands for."""
-    callee = func.callee(call)
+    callee = func.meant(call).callee
     name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
     if isinstance(callee, Name) and name in func.file.imported:
         return last_name(func.file.imported[name])
@@ -123,11 +120,6 @@ def invocation(step: Step, call: Call) -> Invocation:
         return Invocation(*step, path.rsplit("::", 1)[0], None, args, (), call.types, call.line, True)
     made = statement.kind == "let" and statement.value is call and plain(statement.type) == path
     return Invocation(*step, path, None, args, call.keywords, call.types, call.line, made)
-
-
-def is_spread(arg: Expr) -> bool:
-    """Tell whether an argument of Python is `*values`, which may be any number of them."""
-    return isinstance(arg, Op) and arg.op == "*" and len(arg.operands) == 1
 
 
 def spreads(call: Invocation) -> bool:
@@ -189,7 +181,8 @@ def construction(step: Step, written: str, args: tuple[Expr, ...], line: int) ->
 
 
 def _python(step: Step, call: Call) -> Invocation:
-    callee = step.func.callee(call)
+    call = step.func.meant(call)
+    callee = call.callee
     dotted = dotted_name(callee)
     if dotted:
         head, *rest = dotted.split(".")

@@ -11,7 +11,7 @@ from ecm_extract.infer.compute import NULL
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.containers import is_map
-from ecm_extract.link.running.arguments import SPREAD_KEY
+from ecm_extract.link.code.left_alone import SPREAD_KEY
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, constant, data_in, demoted, is_proved, unknown
 

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, NamedTuple
 from ecm_parsers.source.expr import Call, Expr, Items, Name, Op, Opaque, Table
 from msgspec.structs import replace
 
-from ecm_extract.link.code.calls import PLACEHOLDER, SPREAD, Invocation, is_spread, spreads
+from ecm_extract.link.code.calls import PLACEHOLDER, Invocation, spreads
+from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY, is_spread
 from ecm_extract.link.code.walk import names_in
-from ecm_extract.link.running.arguments import MAX_HANDED, SPREAD_KEY, is_left_alone
+from ecm_extract.link.running.arguments import MAX_HANDED, is_left_alone
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 from ecm_extract.link.running.values import data_in, is_proved
 

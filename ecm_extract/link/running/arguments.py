@@ -8,20 +8,17 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Op, Opaque, Table, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque, Table, Text
 
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.places import whole_of
-from ecm_extract.link.code.calls import PLACEHOLDER, SPREAD, Invocation, is_spread, spreads
+from ecm_extract.link.code.calls import PLACEHOLDER, Invocation, spreads
+from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY, is_spread, mentions, reads_only
 from ecm_extract.link.code.units import Func
-from ecm_extract.link.code.walk import children, names_in
 from ecm_extract.link.running.env import Bound, Env
 
-SPREAD_KEY: Final = Constant("null")
-"""Key of a table that another one spreads in its display."""
 MAX_HANDED: Final = 8
 """Functions that hand on what they are given, each to the next."""
-_READS: Final = frozenset({"get", "items", "keys", "values", "count", "index"})
 
 
 class _Given(NamedTuple):
@@ -77,31 +74,9 @@ def _is_touched(callee: Func, name: str) -> bool:
 def is_left_alone(func: Func, name: str) -> bool:
     """Tell whether a function of Python only reads a parameter, or spreads it, and nobody else can change it."""
     inner = [each for each in func.file.facts.functions if f"{each.scope}::".startswith(f"{func.inner_scope}::")]
-    if any(name in names_in(part) for each in inner for step in each.body for part in (step.target, step.value)):
+    if any(mentions(step, name) for each in inner for step in each.body):
         return False
-    return all(_only_reads(step.value, name) and name not in names_in(step.target) for step in func.fact.body)
-
-
-def _only_reads(expr: Expr | None, name: str) -> bool:
-    """Tell whether an expression takes no more of a list or a table than what it consists of."""
-    if expr is None or expr == Name(name):
-        return expr is None
-    if isinstance(expr, Lambda):
-        return _only_reads(expr.body, name)
-    return all(_only_reads(part, name) for part in children(expr) if part not in _read(expr, name))
-
-
-def _read(expr: Expr, name: str) -> tuple[Expr, ...]:
-    """The parts of an expression that take what a list or a table consists of."""
-    own = Name(name)
-    if isinstance(expr, Op) and (is_spread(expr) or expr.op == "[]") and expr.operands[0] == own:
-        return (own,)
-    if isinstance(expr, Call):
-        given = [*expr.args, *(value for _, value in expr.keywords)]
-        spread = (own,) if (SPREAD, own) in expr.keywords and given.count(own) == 1 else ()
-        reads = isinstance(expr.callee, Member) and expr.callee.base == own and expr.callee.name in _READS
-        return (*spread, expr.callee) if reads else spread
-    return (own,) if isinstance(expr, Table) and (SPREAD_KEY, own) in expr.entries else ()
+    return all(reads_only(step, name) for step in func.fact.body)
 
 
 def _given(call: Invocation, env: Env) -> _Given:
