@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos
 from ecm_checker.hub.local_name import LocalName
-from ecm_parsers.source.expr import Expr, Name, Text
+from ecm_parsers.source.expr import Name, Text
 
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
@@ -294,10 +294,11 @@ class Linker:
             )
             yield interface, LocalName((name.resolved,)) if _is_absolute(site) else local
 
-    def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
+    def _typed(self, site: Site, given: Bound | None) -> tuple[str | None, Any]:
         """The type and default of a site; where an object is made with these, what all places make it with."""
-        kind, data = self.typing.of(site, default)
-        if data is not UNKNOWN or default is None or site.chain:
+        default = given.expr if given is not None else None
+        kind, data = self.typing.of(replace(site, env=given.env) if given is not None else site, default)
+        if data is not UNKNOWN or given is None or given.env is not site.env or site.chain:
             return kind, data
         places = self.sites.makings(site.call.func, site.call.at)
         found = [self.typing.of(self.sites.placed(site, place), default) for place in places]
@@ -310,17 +311,17 @@ class Linker:
         make = parameter_name if site.form.row.value else endpoint_name
         return make(value, handle, node, ros)
 
-    def _named(self, site: Site) -> list[tuple[Value, Expr | None]]:
-        """Return the names of a site with the expression of each default."""
+    def _named(self, site: Site) -> list[tuple[Value, Bound | None]]:
+        """Return the names of a site with each default."""
         form = site.form
         if form.fixed:
             return [(fixed_name(site, self.folder), None)]
         if form.items:
-            found = listed_parameters(site, self.folder)
-            listed = [(each.name, each.default.expr if each.default else None) for each in found]
+            listed = [(each.name, each.default) for each in listed_parameters(site, self.folder)]
             return listed or [(unknown("parameters"), None)]
         values = self.sites.names(site)
-        default = default_of(site, values, self.folder)
+        expr = default_of(site, values, self.folder)
+        default = Bound(expr, site.env) if expr is not None else None
         place = place_at(site, self.folder)
         return [(placed(value, place), default) for value in values[:MAX_NAMES]]
 

@@ -11,7 +11,7 @@ from ecm_extract.infer.compute import NULL
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.containers import is_map
-from ecm_extract.link.code.left_alone import SPREAD_KEY
+from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, constant, data_in, demoted, is_proved, unknown
 
@@ -232,9 +232,11 @@ class TableFolder:
         name, args = call.callee.name, call.args
         if name == "clear" and not args:
             return []
-        if name == "update" and len(args) == 1 and not call.keywords:
-            more = self.entries(args[0], env)
-            return None if more is None else [*entries, *more]
+        if name == "update" and len(args) <= 1 and (args or env.func.file.language == "python"):
+            keys = [SPREAD_KEY if key == SPREAD else Text(key) for key, _ in call.keywords]
+            named = Table(tuple(zip(keys, [value for _, value in call.keywords], strict=True)))
+            parts = [self.entries(part, env) for part in (*args, named)]
+            return None if None in parts else [*entries, *(entry for part in parts for entry in part or ())]
         if name in {"insert_or_assign"} and len(args) == 2:
             return [*entries, Entry(Bound(args[0], env), Bound(args[1], env))]
         pair = args[0].items if name == "insert" and len(args) == 1 and isinstance(args[0], Items) else args
