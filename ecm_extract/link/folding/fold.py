@@ -26,6 +26,7 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
 from ecm_extract.link.folding.comprehended import Comprehended
+from ecm_extract.link.folding.data_classes import DataClasses
 from ecm_extract.link.folding.fold_calls import CallFolder
 from ecm_extract.link.folding.fold_fields import FieldFolder
 from ecm_extract.link.folding.fold_held import HeldFolder
@@ -122,6 +123,7 @@ class Folder:
         self.own_copies = OwnCopies(self)
         self.tables = TableFolder(self)
         self.spreading = Spreading(self)
+        self.data_classes = DataClasses(self)
         self.optionals = OptionalFolder(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)

@@ -11,6 +11,7 @@ from ecm_parsers.source.expr import (
     THIS,
     Call,
     Expr,
+    Member,
     Name,
 )
 
@@ -35,6 +36,7 @@ from ecm_extract.link.running.values import (
     constant,
     data_in,
     demoted,
+    is_proved,
     joined,
     literal,
     lowered,
@@ -110,6 +112,12 @@ class CallFolder:
         if formatted is not None:
             return joined(self.folded_parts(formatted, env))
         return self._computed(call, expr, env.before(env.at))
+
+    def _attribute(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """`getattr(config, "topic")` of a name that is known."""
+        names = self.folder.fold(call.args[1], env)
+        name = data_in(names[0]) if len(names) == 1 and is_proved(names[0]) else None
+        return self.folder.fold(Member(call.args[0], name), env) if isinstance(name, str) else (unknown("getattr"),)
 
     def _path(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """`os.path.join(a, "/b", c)` as Python joins it: a part from the root drops what stands before it."""
@@ -193,6 +201,8 @@ class CallFolder:
     def _of_library(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
         """What the standard library gives for what is known; None for other functions."""
         python = env.func.file.language == "python"
+        if python and call.path == "getattr" and len(call.args) == 2 and not call.keywords:
+            return self._attribute(call, env)
         if call.last in _SIZES and self._is_size(call, python):
             subject = call.args[0] if python else call.receiver
             items = self.folder.lists.items(subject, env)

@@ -70,6 +70,9 @@ class MemberFolder:
         pointed = self.folder.searches.part(expr, env)
         if pointed is not None:
             return demoted(self.folder.lists.fold(pointed, env))
+        listed = self.folder.data_classes.of_field(expr, env)
+        if listed:
+            return listed
         part = self.folder.structures.field(expr, env) or begun_field(expr, env, self.folder)
         if not part and expr.name in VALUE_READS:
             return read_as(expr.name, self.folder.fold(expr.base, env.before(env.at)))

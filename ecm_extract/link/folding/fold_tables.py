@@ -125,6 +125,9 @@ class TableFolder:
     def _entries_of_call(self, expr: Call, env: Env) -> list[Entry] | None:
         call = invocation_of(expr, env)
         if env.func.file.language == "python":
+            if call.path == "dataclasses.asdict":
+                found = self.folder.data_classes.entries(call, env)
+                return [Entry(Bound(Text(key), env), value) for key, value in found] if found is not None else None
             if call.path == "dict" and not call.args:
                 return [Entry(Bound(Text(key), env), Bound(value, env)) for key, value in call.keywords]
             copies = call.path == "dict" or (call.last == "copy" and call.receiver is not None)
