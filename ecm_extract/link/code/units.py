@@ -137,12 +137,15 @@ class Func:
 
     def meant(self, call: Call) -> Call:
         """What a call of it calls, and with what: of a name of Python that holds something that can be called that."""
-        if self.file.language != "python":
-            return call
+        return call if self.file.language != "python" else self.callables.meant(call)
+
+    @property
+    def callables(self) -> Callables:
+        """What names of Python stand for that it calls."""
         if self._callables is None:
             held = seen_callables(self.fact, self.file.facts.functions, self.file.callables, self.file.imported)
             self._callables = Callables(held, self.cls.callables if self.cls is not None else {}, self.file.imported)
-        return self._callables.meant(call)
+        return self._callables
 
     @property
     def arity(self) -> tuple[int, float]:

@@ -17,6 +17,7 @@ from ecm_extract.link.code.option_structs import spread
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.call_targets import CallTargets
 from ecm_extract.link.declaring.closures import given, is_of_parameter
+from ecm_extract.link.declaring.escaping import escaping, handed_makers
 from ecm_extract.link.declaring.instead import given_instead
 from ecm_extract.link.declaring.making import Making
 from ecm_extract.link.declaring.match import Matcher, name_argument, positions
@@ -83,6 +84,8 @@ class Sites:
         self.calls = call_index(program, wanted, aliases)
         for name, call in list(emplaced(self.calls, self.folder.objects)):
             self.calls[name].append(call)
+        for call in escaping(program.every_function(), handed_makers(matcher.forms)):
+            self.calls[call.last].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
         self.folder.lasting.find()

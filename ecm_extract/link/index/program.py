@@ -66,8 +66,7 @@ class Program:
             self._names.add(file, self.classes_in(file), self.functions_in(file))
         for file in self.files:
             settle_members(self.functions_in(file), self._aliased)
-        funcs = (func for group in self.functions.values() for func in group)
-        settle_callables(funcs, lambda cls: (*self.ancestry(cls), *self.derived(cls)))
+        settle_callables(self.every_function(), lambda cls: (*self.ancestry(cls), *self.derived(cls)))
 
     def _aliased(self, written: str, func: Func) -> str:
         """What an alias stands for in a function; what is none stays."""
@@ -128,6 +127,10 @@ class Program:
     def _seen(self, units: Iterable[_Unit], file: File) -> tuple[_Unit, ...]:
         seen = self.sight.of(file.package)
         return tuple([unit for unit in units if unit.file.language == file.language and unit.file.package in seen])
+
+    def every_function(self) -> Iterator[Func]:
+        """Yield the functions of all files."""
+        return (func for group in self.functions.values() for func in group)
 
     def classes_in(self, file: File) -> Sequence[Cls]:
         """Return the classes of a file, in its order."""
