@@ -7,7 +7,7 @@ the call before one of its own. What it keeps is read where it is made (`ecm_par
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, NamedTuple
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Table, Text
@@ -106,16 +106,23 @@ def seen_callables(
     found = dict(around)
     for each in reversed(chain):
         hidden = {*assigned(each), *(parameter.name.lstrip("*") for parameter in each.params)}
-        own = held_callables(each, imported)
-        shared = {name for other in beside if each is not function for name in other.shared}
+        inner = _within(each, beside)
+        own = held_callables(each, imported).items()
         found = {name: held for name, held in found.items() if name not in hidden}
-        found |= {name: held for name, held in own.items() if each is function or not _is_shared(held, name, shared)}
+        found |= {name: held for name, held in own if not any(_changes(other, name, held) for other in inner)}
     return found
 
 
-def _is_shared(held: Expr, name: str, shared: Collection[str]) -> bool:
-    """Whether functions within may give a variable something else, or change the table that it holds."""
-    return name in shared or isinstance(held, Table)
+def _within(function: Function, beside: Sequence[Function]) -> Sequence[Function]:
+    """The functions that one declares, and those that these declare."""
+    scope = f"{function.scope}::{function.name}::".removeprefix("::")
+    return [each for each in beside if f"{each.scope}::".startswith(scope)]
+
+
+def _changes(function: Function, name: str, held: Expr) -> bool:
+    """Whether a function within another may give a variable something else, or change the table that it holds."""
+    changed = isinstance(held, Table) and not all(reads_only(step, name) for step in function.body)
+    return name in function.shared or changed
 
 
 def assigned(function: Function) -> Iterator[str]:

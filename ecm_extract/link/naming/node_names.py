@@ -28,6 +28,7 @@ from ecm_extract.link.running.values import Value, is_known, unknown
 _INITS = {"ros::init": 2, "rospy.init_node": 0, "rclpy.create_node": 0}
 _SPACELESS = frozenset({"ros::init", "rospy.init_node"})
 """Those of ROS 1, where only a launch file gives a node its namespace."""
+_OPEN_SPACE: Final = "{namespace}"
 _OPEN: Final = "{name}"
 """Stands for the name of a node of which only the namespace is of use."""
 _NAMING = ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_shared")
@@ -73,7 +74,10 @@ class NodeNames:
         found = self._passed_on(Instance(cls, {}, {}))
         if found is not None and not found.is_open:
             return found
-        return self._made_with(cls) or self._left_to_another(cls) or self._by_default(cls) or found
+        made = self._makings(cls)
+        told = _agreed(made) or self._left_to_another(cls) or self._by_default(cls) or found
+        others = {name.space for name in made if name is not None}
+        return replace(told, space=_OPEN_SPACE) if told is not None and others - {told.space} else told
 
     def _by_default(self, cls: Cls) -> NodeName | None:
         """The name that a class gives its node where nobody is seen to give it arguments."""
@@ -144,18 +148,18 @@ class NodeNames:
         written = self.folder.objects.type_of(expr, env)
         return "string" in written or is_known(self.folder.fold(expr, env)[0])
 
-    def _made_with(self, cls: Cls) -> NodeName | None:
-        """The name that the places that make the class agree on."""
+    def _makings(self, cls: Cls) -> Sequence[NodeName | None]:
+        """The names that the places give a node which make it; none where its constructor is not known."""
         found: list[NodeName | None] = []
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites.makes(call, cls) and call.func.cls is not cls:
                 constructor = self.folder.objects.constructor(cls, len(call.args))
                 if constructor is None:
-                    return None
+                    return ()
                 given = bind(constructor, call, self.sites.root_env(call.func, call.at))
                 name = self._passed_on(self.folder.objects.delegated(Instance(cls, given, {}, constructor)))
                 found.append(replace(name, at=_place(call)) if name is not None else None)
-        return _agreed(found)
+        return found
 
     def of_program(self, main: Func) -> NodeName | None:
         """Return the name that a program gives its node, by a call in the file of its main function."""
