@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Opaque
 from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.link.code.calls import Invocation
@@ -39,6 +39,9 @@ _TEXTS: Final = ("string", "char")
 NODE_NAME: Final = "arg:0|kw:node_name"
 NODE_SPACE: Final = "kw:namespace"
 """Where a node of rclpy is given its name and its namespace."""
+
+
+_NS: Final = "__ns:="
 
 
 class Handle(NamedTuple):
@@ -254,7 +257,7 @@ class Handles:
 
     def _python_node(self, call: Invocation, env: Env) -> Handle | None:
         """A node of rclpy, whose namespace is a keyword; None of one without a name, which a class has of its own."""
-        name, space = (next(positions(where, call), None) for where in (NODE_NAME, NODE_SPACE))
+        name, space = next(positions(NODE_NAME, call), None), space_given(call, env, self.folder)
         if name is None:
             return None
         named = self.folder.fold(name, env)[0]
@@ -268,6 +271,14 @@ class Handles:
         if isinstance(expr, Call) and invocation_of(expr, env).last in _NAMESPACES:
             return True
         return "string" in self.folder.objects.type_of(expr, env) or self._is_text(expr, env)
+
+
+def space_given(call: Invocation, env: Env, folder: Folder) -> Expr | None:
+    """Return the namespace that a node of rclpy is given; one that its arguments of a command line remap is open."""
+    remaps = folder.lists.items(next(positions("kw:cli_args", call), None), env) or ()
+    if any(_NS in value.text for each in remaps for value in folder.lists.fold(each, env)):
+        return Opaque("namespace")
+    return next(positions(NODE_SPACE, call), None)
 
 
 def under(prefix: Value, name: Value) -> Value:

@@ -20,7 +20,7 @@ from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.library_functions import library_function
 from ecm_extract.link.index.module_kinds import is_node_base
-from ecm_extract.link.naming.handles import NODE_NAME, NODE_SPACE
+from ecm_extract.link.naming.handles import NODE_NAME, space_given
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, Instance
 from ecm_extract.link.running.values import Value, is_known, unknown
@@ -128,8 +128,7 @@ class NodeNames:
         if isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == "__init__":
             call, place = self.folder.spreading.whole(value, env)
             own = structs.replace(call, args=call.args[1:] if call.args[:1] == (THIS,) else call.args)
-            name, space = (next(positions(where, own), None) for where in (NODE_NAME, NODE_SPACE))
-            return _given(name, space), place
+            return _given(next(positions(NODE_NAME, own), None), space_given(own, place, self.folder)), place
         return None, env
 
     def _named(self, given: Given, env: Env, at: Evidence) -> NodeName | None:
@@ -188,8 +187,9 @@ class NodeNames:
         own, env = self.folder.spreading.out(call, self.sites.root_env(call.func, call.at))
         python = call.func.file.language == "python"
         name = next(positions(f"arg:{index}|kw:node_name|kw:name" if python else f"arg:{index}", own), None)
-        after = f"arg:{index + 1}|{NODE_SPACE}" if is_node_base(call.path) and not python else NODE_SPACE
-        space = next(positions(after, own), None) if named not in _SPACELESS else None
+        after = f"arg:{index + 1}" if is_node_base(call.path) else ""
+        space = space_given(own, env, self.folder) if python else next(positions(after, own), None)
+        space = space if named not in _SPACELESS else None
         return self._named(Given(name, space), env, _place(call)) if name is not None else None
 
 
