@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos
 from ecm_checker.hub.local_name import LocalName
-from ecm_parsers.source.expr import Expr, Name, Text
+from ecm_parsers.source.expr import Name, Text
 
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
@@ -22,7 +22,7 @@ from ecm_extract.link.endpoints.claims import Claim, claims_of
 from ecm_extract.link.endpoints.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoints.endpoint_conditions import EndpointConditions
 from ecm_extract.link.endpoints.endpoint_types import EndpointTypes, role_of
-from ecm_extract.link.endpoints.fallbacks import fallback
+from ecm_extract.link.endpoints.fallbacks import default_of
 from ecm_extract.link.endpoints.frames import frame_of
 from ecm_extract.link.endpoints.generated import GeneratedParameters
 from ecm_extract.link.endpoints.listeners import LISTENER
@@ -146,7 +146,7 @@ class Linker:
     def attributed(self) -> list[LinkedModule]:
         """Return what `link` does, once parameters are declared."""
         nodes = self._class_nodes()
-        self.modules.find({unit: name.text for unit, name in nodes.items()})
+        self.modules.find({unit: name.text for unit, name in nodes.items() if "{" not in name.text})
         found: dict[Module, list[Interface]] = defaultdict(list)
         sites = [*self.sites.find(parameters=False), *self.parameter_sites]
         self.helpers = frozenset([each.func.fact.name for site in sites for each in (*site.chain, site.call)])
@@ -196,7 +196,7 @@ class Linker:
                     self.parameters.declare(call.args[0].value, call.func.cls, (call.args[1], env))
 
     def _declare_defaults(self, sites: Iterable[Site]) -> None:
-        for site in sites:
+        for site in (each for each in sites if not each.form.fallback):
             owner = (site.owner,) if site.owner is not None else ()
             homes: tuple[Home, ...] = (site.root.file.package, site.root.file, *owner)
             for each in self._defaults(site):
@@ -225,7 +225,7 @@ class Linker:
         stamped = tuple(dict.fromkeys(self._stamped.get(module, ())))
         told = tuple(dict.fromkeys(self._diagnosed.get(module, ())))
         node = self._node(module, nodes)
-        text, at = (node.text, node.at) if node is not None else (None, None)
+        text, at = (node.text, node.at) if node is not None and "{" not in node.text else (None, None)
         return LinkedModule(module, text, interfaces, local, claims, seen, managed, stamped, lines, told, at)
 
     def _node(self, module: Module, nodes: Mapping[Cls, NodeName]) -> NodeName | None:
@@ -298,28 +298,28 @@ class Linker:
             )
             yield interface, LocalName((name.resolved,)) if site.is_absolute else local
 
-    def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
+    def _typed(self, site: Site, given: Bound | None) -> tuple[str | None, Any]:
         """The type and default of a site; where an object is made with these, what all places make it with."""
-        kind, data = self.typing.of(site, default)
-        if data is not UNKNOWN or default is None or site.chain:
+        default = given.expr if given is not None else None
+        kind, data = self.typing.of(replace(site, env=given.env) if given is not None else site, default)
+        if data is not UNKNOWN or given is None or given.env is not site.env or site.chain:
             return kind, data
         places = self.sites.makings(site.call.func, site.call.at)
-        found = [self.typing.of(replace(site, env=place), default) for place in places]
+        found = [self.typing.of(self.sites.placed(site, place), default) for place in places]
         agreed = found[0] if found and all(each == found[0] for each in found) else (kind, data)
         return agreed[0] or kind, agreed[1]
 
-    def _named(self, site: Site) -> list[tuple[Value, Expr | None]]:
-        """Return the names of a site with the expression of each default."""
-        form, call = site.form, site.call
+    def _named(self, site: Site) -> list[tuple[Value, Bound | None]]:
+        """Return the names of a site with each default."""
+        form = site.form
         if form.fixed:
             return [(fixed_name(site, self.folder), None)]
-        default = next(positions(form.default, call), None)
         if form.items:
-            found = listed_parameters(site, self.folder)
-            listed = [(each.name, each.default.expr if each.default else None) for each in found]
+            listed = [(each.name, each.default) for each in listed_parameters(site, self.folder)]
             return listed or [(unknown("parameters"), None)]
         values = self.sites.names(site)
-        default = default or fallback(site, site.call.at, self.folder)
+        expr = default_of(site, values, self.folder)
+        default = Bound(expr, site.env) if expr is not None else None
         place = place_at(site, self.folder)
         return [(placed(value, place), default) for value in values[:MAX_NAMES]]
 

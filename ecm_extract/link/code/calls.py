@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator
-from typing import NamedTuple
+from itertools import takewhile
+from typing import Final, NamedTuple
 
 import msgspec
 from ecm_parsers.source.expr import (
@@ -13,9 +14,11 @@ from ecm_parsers.source.expr import (
     Member,
     Name,
     Op,
+    Opaque,
 )
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.link.code.left_alone import SPREAD, is_spread
 from ecm_extract.link.code.pointed import given_to_pointed, makes_pointed
 from ecm_extract.link.code.spelling import (
     by_value,
@@ -34,10 +37,6 @@ class Step(NamedTuple):
     func: Func
     at: int
     statement: Statement
-
-
-SPREAD = "**"
-"""Name of the keyword that a table of arguments is."""
 
 
 class Invocation(msgspec.Struct, frozen=True, eq=False):
@@ -93,7 +92,7 @@ def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[In
 
 def _last_of(call: Call, func: Func) -> str:
     """The last name of a call, without building its path; of an imported name that of what it stands for."""
-    callee = func.callee(call)
+    callee = func.meant(call).callee
     name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
     if isinstance(callee, Name) and name in func.file.imported:
         return last_name(func.file.imported[name])
@@ -123,16 +122,35 @@ def invocation(step: Step, call: Call) -> Invocation:
     return Invocation(*step, path, None, args, call.keywords, call.types, call.line, made)
 
 
-def is_spread(arg: Expr) -> bool:
-    """Tell whether an argument of Python is `*values`, which may be any number of them."""
-    return isinstance(arg, Op) and arg.op == "*" and len(arg.operands) == 1
-
-
 def spreads(call: Invocation) -> bool:
     """Tell whether a call gives more arguments than are written there, or fewer."""
     if call.func.file.language != "python":
         return False
     return any(map(is_spread, call.args)) or any(name == SPREAD for name, _ in call.keywords)
+
+
+PLACEHOLDER: Final = "*"
+"""Begins the names of arguments that stand for others; no variable has such a name."""
+
+
+def placed_arguments(call: Invocation) -> tuple[Expr, ...]:
+    """Return the arguments whose place among all that a call gives is known."""
+    if not spreads(call):
+        return call.args
+    return tuple(takewhile(lambda arg: not is_spread(arg), call.args))
+
+
+def unseen_argument(call: Invocation, by_name: bool) -> Expr | None:
+    """Return what stands for arguments that a call spreads and that nothing shows; None where it spreads none.
+
+    That of callers is a name; of others nothing is known.
+    """
+    if not spreads(call):
+        return None
+    placed = [arg.operands[0] for arg in call.args if isinstance(arg, Op) and is_spread(arg)]
+    named = [value for name, value in call.keywords if name == SPREAD]
+    found = next(iter([*named, *placed] if by_name else [*placed, *named]), None)
+    return found if isinstance(found, Name) and found.id.startswith(PLACEHOLDER) else Opaque(SPREAD)
 
 
 def one_node(func: Func, args: tuple[Expr, ...]) -> tuple[Expr, ...]:
@@ -163,7 +181,8 @@ def construction(step: Step, written: str, args: tuple[Expr, ...], line: int) ->
 
 
 def _python(step: Step, call: Call) -> Invocation:
-    callee = step.func.callee(call)
+    call = step.func.meant(call)
+    callee = call.callee
     dotted = dotted_name(callee)
     if dotted:
         head, *rest = dotted.split(".")

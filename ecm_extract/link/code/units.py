@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Name, Table
 from ecm_parsers.source.facts import Class, Field, Function, Parameter, SourceFile, Statement
 
-from ecm_extract.link.code.bound_methods import bound_methods
+from ecm_extract.link.code.callables import Callables, held_callables, seen_callables
 from ecm_extract.link.code.spelling import is_node_interface
 from ecm_extract.link.code.templates import alike, unified
 from ecm_extract.link.code.walk import calls_in
@@ -34,6 +34,18 @@ class File:
     is_built: bool = True
     targets: tuple[str, ...] = ()
     all_targets: bool = False
+    _callables: Mapping[str, Expr] | None = None
+
+    @property
+    def callables(self) -> Mapping[str, Expr]:
+        """What variables of a module of Python hold that can be called, as long as no function changes them."""
+        if self._callables is None:
+            shared = {name for function in self.facts.functions for name in function.shared}
+            body = next((each for each in self.facts.functions if each.name == "<module>"), None)
+            held = held_callables(body, self.imported) if body is not None else {}
+            kept = {name: each for name, each in held.items() if name not in shared and not isinstance(each, Table)}
+            self._callables = kept
+        return self._callables
 
     @property
     def language(self) -> str:
@@ -54,7 +66,7 @@ class Func:
     _calls: tuple[Sequence[Call], ...] | None = None
     _defaults: tuple[tuple[str, Expr], ...] | None = None
     _written_types: Mapping[str, str] | None = None
-    _bound: Mapping[str, Member] | None = None
+    _callables: Callables | None = None
     _specialized: tuple[str, ...] | None = None
 
     def siblings(self) -> Iterator[Func]:
@@ -123,13 +135,17 @@ class Func:
             self._calls = tuple([_calls_of(entry) for entry in self.fact.body])
         return self._calls
 
-    def callee(self, call: Call) -> Expr:
-        """What a call of it calls: for a variable of Python that holds a method that method."""
-        if not isinstance(call.callee, Name) or self.file.language != "python":
-            return call.callee
-        if self._bound is None:
-            self._bound = bound_methods(self.fact)
-        return self._bound.get(call.callee.id, call.callee)
+    def meant(self, call: Call) -> Call:
+        """What a call of it calls, and with what: of a name of Python that holds something that can be called that."""
+        return call if self.file.language != "python" else self.callables.meant(call)
+
+    @property
+    def callables(self) -> Callables:
+        """What names of Python stand for that it calls."""
+        if self._callables is None:
+            held = seen_callables(self.fact, self.file.facts.functions, self.file.callables, self.file.imported)
+            self._callables = Callables(held, self.cls.callables if self.cls is not None else {}, self.file.imported)
+        return self._callables
 
     @property
     def arity(self) -> tuple[int, float]:
@@ -173,13 +189,17 @@ class Func:
 
 @dataclass(slots=True, eq=False, repr=False)
 class Cls:
-    """A class with its file and all definitions of its methods; `statics` are names of those that need no object."""
+    """A class with its file and all definitions of its methods; `statics` are names of those that need no object.
+
+    `callables` is what members of its objects hold that can be called, by their names.
+    """
 
     fact: Class
     file: File
     methods: list[Func] = field(default_factory=list)
     fields: dict[str, Field] = field(default_factory=dict)
     statics: set[str] = field(default_factory=set)
+    callables: dict[str, Expr] = field(default_factory=dict)
 
     @property
     def qualified(self) -> str:

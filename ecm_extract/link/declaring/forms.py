@@ -36,6 +36,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         name: position of the ROS name. type: position of the type, or a fixed `package/kind/Name`; of a parameter of
             rclpy the position of its descriptor.
         qos: position of the QoS profile or queue size. default: position of a parameter's default.
+        fallback: the default holds only for a parameter that the node does not declare, and is nobody else's.
         out: position of the variable that receives a parameter's value.
         receiver: last names of the classes whose objects have the method; empty for any.
         below: the member of its object that stands before the name, with a point between them.
@@ -64,6 +65,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     type: str = ""
     qos: str = ""
     default: str = ""
+    fallback: bool = False
     out: str = ""
     receiver: tuple[str, ...] = ()
     below: str = ""

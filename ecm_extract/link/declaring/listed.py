@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ecm_parsers.source.expr import Items
+from ecm_parsers.source.expr import Opaque
 
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.declaring.site import Site
@@ -25,11 +25,9 @@ def listed_parameters(site: Site, folder: Folder) -> Iterator[Listed]:
     """Yield the parameters that the call of a site lists; nothing where the list is not known."""
     prefixes = _prefixes(site, folder)
     for entry in folder.lists.items(next(positions(site.form.items, site.call), None), site.env) or ():
-        if isinstance(entry.expr, Items) and entry.expr.items:
-            name, *rest = entry.expr.items
-            default = Bound(rest[0], entry.env) if rest else None
-            for value in folder.fold(name, entry.env):
-                yield from (Listed(_below(prefix, value), default) for prefix in prefixes)
+        name, *rest = folder.lists.items(entry.expr, entry.env) or [Bound(Opaque("parameters"), entry.env)]
+        for value in folder.lists.fold(name, site.env):
+            yield from (Listed(_below(prefix, value), rest[0] if rest else None) for prefix in prefixes)
 
 
 def _prefixes(site: Site, folder: Folder) -> tuple[Value, ...]:

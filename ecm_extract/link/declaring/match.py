@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import reduce
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Opaque
 
-from ecm_extract.link.code.calls import Invocation, invocations
+from ecm_extract.link.code.calls import Invocation, invocations, placed_arguments, spreads, unseen_argument
 from ecm_extract.link.code.spelling import by_value, last_name, plain, pointee
 from ecm_extract.link.code.texts import text_arguments
 from ecm_extract.link.code.units import Func
@@ -42,7 +42,7 @@ class Matcher:
 
     def _is(self, form: Form, call: Invocation, env: Env) -> bool:
         file = call.func.file
-        if form.language != file.language or len(call.args) < form.min_args:
+        if form.language != file.language or _is_short(call, form):
             return False
         if form.ros and file.ros and form.ros != file.ros:
             return False
@@ -152,6 +152,10 @@ class Matcher:
         return any(method.is_constructor for method in cls.methods)
 
 
+def _is_short(call: Invocation, form: Form) -> bool:
+    return len(call.args) < form.min_args and not spreads(call)
+
+
 def _is_library(callee: Func, call: Invocation) -> bool:
     """Tell whether a method is a client library's, of which the rows tell, whoever has its sources."""
     package = callee.file.package
@@ -165,13 +169,15 @@ def _forwards(func: Func) -> bool:
 
 def positions(text: str, call: Invocation) -> Iterator[Expr]:
     """Yield the arguments at the positions of a row, in order of preference."""
-    keywords = dict(call.keywords)
+    keywords, placed, found = dict(call.keywords), placed_arguments(call), False
     for position in text.split("|") if text else ():
         kind, _, index = position.partition(":")
         if kind == "kw" and index in keywords:
+            found = True
             yield keywords[index]
-        elif kind == "arg" and int(index) < len(call.args):
-            yield call.args[int(index)]
+        elif kind == "arg" and int(index) < len(placed):
+            found = True
+            yield placed[int(index)]
         elif kind == "field":
             base, *names = index.split(".")
             yield from (reduce(Member, names, arg) for arg in call.args[int(base) : int(base) + 1])
@@ -179,6 +185,15 @@ def positions(text: str, call: Invocation) -> Iterator[Expr]:
             texts = text_arguments(call)
             if int(index) < len(texts):
                 yield texts[int(index)]
+    if text and not found and spreads(call):
+        yield _unseen(text, call)
+
+
+def _unseen(text: str, call: Invocation) -> Expr:
+    """What stands for an argument that a call of Python may spread, called as its keyword unless callers know it."""
+    positions = dict(reversed([position.partition(":")[::2] for position in text.split("|")]))
+    found = unseen_argument(call, "arg" not in positions)
+    return found if isinstance(found, Name) else Opaque(positions.get("kw", "value"))
 
 
 def handle_argument(form: Form, call: Invocation) -> Expr | None:

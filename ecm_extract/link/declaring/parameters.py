@@ -15,7 +15,7 @@ from ecm_extract.link.declaring.forms import Form, FormTable
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env
-from ecm_extract.link.running.parameter_reads import MethodRead
+from ecm_extract.link.running.parameter_reads import MethodRead, ParameterRead
 from ecm_extract.link.running.values import Value
 
 Home = Cls | File | str
@@ -38,16 +38,17 @@ class Parameters:
         self._declared: set[tuple[str, str]] = set()
         self._wrappers: dict[str, list[tuple[Func, str, str]]] = defaultdict(list)
 
-    def read(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
-        """Return (name, default) when a call gives the value of a parameter."""
+    def read(self, call: Invocation) -> ParameterRead | None:
+        """Return what a call reads that gives the value of a parameter."""
         form = self._form(call)
         if form is not None:
             name = name_argument(form, call)
             if name is not None and (form.match != "method" or call.receiver is not None or call.simple):
-                return name, next(positions(form.default, call), None)
+                return ParameterRead(name, next(positions(form.default, call), None), form.fallback)
         if call.last in READERS and call.args and not self._is_own(call):
-            return call.args[0], None
-        return self._wrapped(call)
+            return ParameterRead(call.args[0], None)
+        wrapped = self._wrapped(call)
+        return ParameterRead(*wrapped) if wrapped is not None else None
 
     def _is_own(self, call: Invocation) -> bool:
         """Whether a call means a wrapper of its own class or file that is called like what it wraps."""

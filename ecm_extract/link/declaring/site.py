@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.forms import Form
+from ecm_extract.link.folding.spreading import Spread
 from ecm_extract.link.running.env import Env
 
 
@@ -24,6 +25,7 @@ class Site:
         root: outermost function.
         places: where each call of the chain is evaluated.
         certain: whether a run that gets to the call makes the endpoint; False for one of several that it may make.
+        written: of a call that spreads its arguments how it is written, and its place; None of others.
     """
 
     form: Form
@@ -34,6 +36,13 @@ class Site:
     root: Func
     places: tuple[Env, ...] = ()
     certain: bool = True
+    written: Spread | None = None
+
+    def as_written(self) -> Site:
+        """Return the same with the call as its source writes it."""
+        if self.written is None:
+            return self
+        return replace(self, call=self.written.call, env=self.written.env, written=None)
 
     @property
     def is_absolute(self) -> bool:

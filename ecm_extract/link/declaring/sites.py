@@ -12,11 +12,12 @@ from dataclasses import replace
 
 from ecm_parsers.source.expr import Expr
 
-from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.calls import Invocation, spreads
 from ecm_extract.link.code.option_structs import spread
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.call_targets import CallTargets
 from ecm_extract.link.declaring.closures import given, is_of_parameter
+from ecm_extract.link.declaring.escaping import escaping, handed_makers
 from ecm_extract.link.declaring.instead import given_instead
 from ecm_extract.link.declaring.making import Making
 from ecm_extract.link.declaring.match import Matcher, name_argument, positions
@@ -29,6 +30,7 @@ from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.ways_in import WaysIn
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.folding.spreading import Spread
 from ecm_extract.link.index.call_index import call_index
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.interfaces.types import Types
@@ -83,6 +85,8 @@ class Sites:
         self.calls = call_index(program, wanted, aliases)
         for name, call in list(emplaced(self.calls, self.folder.objects)):
             self.calls[name].append(call)
+        for call in escaping(program.every_function(), handed_makers(matcher.forms)):
+            self.calls[call.last].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
         self.folder.lasting.find()
@@ -103,12 +107,23 @@ class Sites:
         func = call.func
         env = self.root_env(func, call.at)
         for each in (spread(call), *starred(call, self.program)):
-            forms = list(self.matcher.fitting(each, env))
+            forms = list(self.matcher.fitting(self.folder.spreading.out(each, env).call, env))
             for form in forms:
                 if form.row.value is parameters:
-                    yield Site(form, prefixed(each, form), env, (), func.holder, func)
+                    yield self._spread_out(Site(form, prefixed(each, form), env, (), func.holder, func))
             if forms:
                 return
+
+    def placed(self, site: Site, env: Env) -> Site:
+        """Return a site at another place."""
+        return self._spread_out(replace(site.as_written(), env=env))
+
+    def _spread_out(self, site: Site) -> Site:
+        """The same site with the arguments that its call spreads, as far as they are known."""
+        if not spreads(site.call):
+            return site
+        call, env = self.folder.spreading.out(site.call, site.env)
+        return replace(site, call=call, env=env, written=Spread(site.call, site.env))
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
@@ -137,7 +152,7 @@ class Sites:
             wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
             further = (current.certain, current.owner, *((each.chain, each.owner, each.env.this) for each in wider))
             if not wider:
-                closed.extend(self.ways.in_each_state(current))
+                closed.extend(map(self._spread_out, self.ways.in_each_state(current.as_written())))
             elif further not in widened:  # states of what was outermost make no difference further out
                 widened.add(further)
                 pending.extend(wider)
@@ -247,7 +262,9 @@ class Sites:
         """The same site, seen from one call further out."""
         *places, env = self.ways.inside(site, root)
         chain, owner = (call, *site.chain), call.func.holder
-        return Site(site.form, site.call, env, chain, owner, call.func, (outer, *places), site.certain)
+        written = site.as_written().call
+        wider = Site(site.form, written, env, chain, owner, call.func, (outer, *places), site.certain)
+        return self._spread_out(wider)
 
     def _first(self, site: Site) -> Invocation:
         return site.chain[0] if site.chain else site.call
@@ -264,7 +281,7 @@ class Sites:
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
             *places, env = self.ways.inside(site, root)
-            yield replace(site, env=env, owner=derived, places=tuple(places))
+            yield replace(self.placed(site, env), owner=derived, places=tuple(places))
         for call in self.calls.get(cls.fact.name, ()):
             if call.func.cls is cls or (own and self.is_base_of(call, cls)):
                 continue

@@ -7,10 +7,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Constant
+from ecm_parsers.source.expr import Call, Constant, Expr, Op, Table, Text
+from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import children
 from ecm_extract.link.index.module_kinds import takes_undeclared
 
 if TYPE_CHECKING:
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
 
 _OPTIONS: Final = frozenset({"allow_undeclared_parameters", "automatically_declare_parameters_from_overrides"})
 """Options of `rclcpp::NodeOptions` and of the nodes of rclpy."""
+_KEYS: Final = frozenset(map(Text, _OPTIONS))
 MAX_DEPTH: Final = 2
 """Objects within objects that are looked at: a helper is a member of its node, or of what that has."""
 MAX_CALLS: Final = 3
@@ -99,7 +102,23 @@ class Undeclared:
 
 
 def _says_so(func: Func) -> bool:
-    return any(_is_option(call) for calls in func.calls for call in calls)
+    if any(_is_option(call) for calls in func.calls for call in calls):
+        return True
+    return func.file.language == "python" and any(_is_set(step) or _has_option(step.value) for step in func.fact.body)
+
+
+def _is_set(step: Statement) -> bool:
+    """`options["allow_undeclared_parameters"] = True`."""
+    target = step.target
+    named = isinstance(target, Op) and target.op == "[]" and target.operands[-1] in _KEYS
+    return named and step.value == _TRUE
+
+
+def _has_option(expr: Expr | None) -> bool:
+    """Tell whether a table of options in an expression is of a node that takes any."""
+    if isinstance(expr, Table) and any(key in _KEYS and value == _TRUE for key, value in expr.entries):
+        return True
+    return expr is not None and any(map(_has_option, children(expr)))
 
 
 def _is_option(call: Call) -> bool:

@@ -83,6 +83,7 @@ class WaysIn:
     def enter(self, link: Invocation, following: Invocation, env: Env) -> Env:
         """Return the place of a call in the function that the one before it calls."""
         func, at = following.func, following.at
+        link, env = self.folder.spreading.known(link, env)
         args = bind(func, link, env)
         types = self.types.of_function(func, link, env)
         if around(func, self.folder) is not None:

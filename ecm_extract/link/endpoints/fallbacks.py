@@ -5,6 +5,7 @@ ROS 1 writes `if (!nh.getParam("rate", rate)) rate = 10.0;`, or gives the variab
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
@@ -16,13 +17,22 @@ from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.values import Value
 
 _AS_FOUND: Final = frozenset({"given", "shared", "made", "entered"})
 """How a function has what it gave nothing itself (see `held`)."""
 
 
-def fallback(site: Site, at: int, folder: Folder) -> Expr | None:
-    """Return the default of a parameter whose call has none; `at` is the statement of the call."""
+def default_of(site: Site, names: Sequence[Value], folder: Folder) -> Expr | None:
+    """Return the default of a parameter: of its call unless its node declares it, else what stands in its place."""
+    stated = next(positions(site.form.default, site.call), None)
+    if site.form.fallback and folder.parameters.is_declared(names, site.env):
+        return None
+    return stated or _fallback(site, site.call.at, folder)
+
+
+def _fallback(site: Site, at: int, folder: Folder) -> Expr | None:
+    """The default of a parameter whose call has none; `at` is the statement of the call."""
     out = next(positions(site.form.out, site.call), None)
     instead = returned_instead(site.call, out)
     if instead is not None or site.form.default or not isinstance(out, Name | Member):

@@ -46,7 +46,7 @@ class OpenDeclarations:
 
 
 def _declares(site: Site) -> bool:
-    return site.form.ros == 2 and not site.form.undeclared
+    return site.form.ros == 2 and not site.form.undeclared and not site.form.fallback
 
 
 def _gives_something(site: Site) -> bool:

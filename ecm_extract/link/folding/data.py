@@ -12,6 +12,7 @@ from ecm_extract.infer.compute import NULL, UNKNOWN, is_number
 from ecm_extract.link.code.numbers import NUMBERS, as_number
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of_parameter
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 from ecm_extract.link.running.values import Enumerator, Value, data_in
 
@@ -93,8 +94,10 @@ def _call(expr: Call, env: Env, folder: Folder, depth: int) -> Any:
         return _power(*[data_of(arg, env, folder, depth + 1) for arg in expr.args])
     call = invocation_of(expr, env)
     read = folder.reads.read(call)
-    if read is not None and read[1] is not None:
-        return data_of(read[1], env, folder, depth + 1)
+    if read is not None and read.default is not None:
+        return data_of(read.default, env, folder, depth + 1)
+    if call.path in PARAMETER_OBJECTS:
+        return data_of(value_of_parameter(call), env, folder, depth + 1)
     if call.receiver is not None and call.last == "get" and isinstance(call.receiver, Call):
         return data_of(call.receiver, env, folder, depth + 1)
     return None

@@ -26,6 +26,7 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
 from ecm_extract.link.folding.comprehended import Comprehended
+from ecm_extract.link.folding.data_classes import DataClasses
 from ecm_extract.link.folding.enumerations import Enumerations
 from ecm_extract.link.folding.fold_calls import CallFolder
 from ecm_extract.link.folding.fold_fields import FieldFolder
@@ -34,6 +35,7 @@ from ecm_extract.link.folding.fold_lists import ListFolder
 from ecm_extract.link.folding.fold_members import MemberFolder
 from ecm_extract.link.folding.fold_names import NameFolder
 from ecm_extract.link.folding.fold_operators import OperatorFolder
+from ecm_extract.link.folding.fold_parameters import ParameterFolder
 from ecm_extract.link.folding.fold_returns import ReturnFolder
 from ecm_extract.link.folding.fold_streams import StreamFolder
 from ecm_extract.link.folding.fold_tables import TableFolder
@@ -45,6 +47,7 @@ from ecm_extract.link.folding.module_objects import ModuleObjects
 from ecm_extract.link.folding.optionals import OptionalFolder
 from ecm_extract.link.folding.own_copies import OwnCopies
 from ecm_extract.link.folding.searches import SearchFolder
+from ecm_extract.link.folding.spreading import Spreading
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.folding.typed_numbers import TypedNumbers
@@ -111,6 +114,7 @@ class Folder:
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
+        self.parameters = ParameterFolder(self)
         self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.enumerations = Enumerations(self)
@@ -122,6 +126,8 @@ class Folder:
         self.kept = KeptObjects(self)
         self.own_copies = OwnCopies(self)
         self.tables = TableFolder(self)
+        self.spreading = Spreading(self)
+        self.data_classes = DataClasses(self)
         self.optionals = OptionalFolder(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)

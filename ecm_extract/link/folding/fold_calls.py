@@ -11,6 +11,7 @@ from ecm_parsers.source.expr import (
     THIS,
     Call,
     Expr,
+    Member,
     Name,
 )
 
@@ -23,6 +24,7 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.folding import formats
 from ecm_extract.link.folding.conversions import converted
 from ecm_extract.link.folding.fold_changes import STREAMS
+from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of_parameter
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.other_nodes import asks_another_node
@@ -34,10 +36,10 @@ from ecm_extract.link.running.values import (
     constant,
     data_in,
     demoted,
+    is_proved,
     joined,
     literal,
     lowered,
-    set_by,
     setting,
     unknown,
 )
@@ -84,7 +86,7 @@ class CallFolder:
 
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
-        call = invocation_of(expr, env)
+        call, env = self.folder.spreading.known(invocation_of(expr, env), env)
         if call.path.endswith("names::resolve") and len(call.args) == 1:
             return self._absolute(call.args[0], env.before(env.at))
         tidied = is_resolver(call.last) or gives_name(call.path)
@@ -98,16 +100,24 @@ class CallFolder:
             return demoted(tuple([placed(value, CAMERA_INFO) for value in images]))
         read = self.folder.reads.read(call)
         if read is not None and asks_another_node(call, env, self.folder.objects):
-            named = self.folder.fold(read[0], env.before(env.at))[0].text
+            named = self.folder.fold(read.name, env.before(env.at))[0].text
             return (unknown(named.rpartition(".")[2].strip("{}") or call.last),)
         if read is not None:
-            return self.parameter_value(*read, env.before(env.at))
+            return self.folder.parameters.read_value(read, env.before(env.at))
+        if call.path in PARAMETER_OBJECTS:
+            return self.folder.fold(value_of_parameter(call), env.before(env.at))
         if call.path in _PATH_JOINS and call.args and not call.keywords:
             return self._path(call, env.before(env.at))
         formatted = formats.formatted(call)
         if formatted is not None:
             return joined(self.folded_parts(formatted, env))
         return self._computed(call, expr, env.before(env.at))
+
+    def _attribute(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """`getattr(config, "topic")` of a name that is known."""
+        names = self.folder.fold(call.args[1], env)
+        name = data_in(names[0]) if len(names) == 1 and is_proved(names[0]) else None
+        return self.folder.fold(Member(call.args[0], name), env) if isinstance(name, str) else (unknown("getattr"),)
 
     def _path(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """`os.path.join(a, "/b", c)` as Python joins it: a part from the root drops what stands before it."""
@@ -191,6 +201,8 @@ class CallFolder:
     def _of_library(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
         """What the standard library gives for what is known; None for other functions."""
         python = env.func.file.language == "python"
+        if python and call.path == "getattr" and len(call.args) == 2 and not call.keywords:
+            return self._attribute(call, env)
         if call.last in _SIZES and self._is_size(call, python):
             subject = call.args[0] if python else call.receiver
             items = self.folder.lists.items(subject, env)
@@ -267,37 +279,6 @@ class CallFolder:
         """Return the values of the pieces of a format, in order."""
         inner = env.before(env.at)
         return [(literal(part),) if isinstance(part, str) else self.folder.fold(part, inner) for part in parts]
-
-    def kept_value(self, name: Expr, kept: Sequence[Value], env: Env) -> tuple[Value, ...]:
-        """Return what a variable keeps that a parameter is read into which is not set."""
-        names = self.folder.fold(name, env)
-        values = lowered(kept, "default")
-        return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
-
-    def parameter_value(self, name: Expr, default: Expr | None, env: Env) -> tuple[Value, ...]:
-        """Return the value of a ROS parameter: its default where the call or a declaration has one."""
-        names = self.folder.fold(name, env)
-        owner = (env.this or env.func.cls) if env.func is not None else None
-        lineage = self.folder.program.ancestry(owner) if owner is not None else ()
-        known = self.folder.reads.default(names[0].text, env.func.file.package, (*lineage, env.func.file))
-        values = self.default_value(names[0].text, known, default, env)
-        return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
-
-    def default_value(
-        self, name: str, known: tuple[Expr, Env] | Value | None, default: Expr | None, env: Env
-    ) -> tuple[Value, ...]:
-        """Return the values of a default: of the call, else of the declaration, else a hole."""
-        values: tuple[Value, ...] = ()
-        if default is not None and not formats.is_unset(default):
-            values = lowered(self.folder.fold(default, env.before(env.at)), "default")
-        elif isinstance(known, Value):
-            values = lowered((known,), "default")
-        elif known is not None and not formats.is_unset(known[0]):
-            values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
-        if values and (values[0].text or len(values) > 1):
-            return values
-        empty = "" if values and values[0].data is None else None
-        return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}"), empty),)
 
 
 def _topic_of(made: Call, env: Env) -> Expr | None:

@@ -96,7 +96,7 @@ class FieldFolder:
         inner = self._inside(func, read.at, env)
         if not isinstance(read.out, Member) or self._is_same_kind(expr, env, read.out, inner) is False:
             return ()
-        values = self.folder.calls.parameter_value(read.name, read.default, inner)
+        values = self.folder.parameters.parameter_value(read.name, read.default, inner)
         return _of_one(values, expr.name) if self._may_be_others(expr, env, read.out, inner) else values
 
     def _set(self, expr: Member, func: Func, at: int, env: Env) -> Iterable[Value]:

@@ -206,12 +206,12 @@ class HeldFolder:
         """A parameter that is read into a variable: where it is not set, the variable keeps what it held."""
         if held.expr is None:
             return (unknown(_label(held.name)),)
-        values = self.folder.calls.parameter_value(held.expr, held.more, env)
+        values = self.folder.parameters.parameter_value(held.expr, held.more, env)
         kept = self._before(held, env) if held.before and held.more is None else ()
         kept = tuple([value for value in kept if value.text and value.confidence != "pattern"])
         lasts = env.func.file.ros == 1  # there a default of another read is known to nobody but that one
         if kept and (lasts or any(value.confidence == "pattern" for value in values)):
-            return self.folder.calls.kept_value(held.expr, kept, env)
+            return self.folder.parameters.kept_value(held.expr, kept, env)
         return values
 
     def _made(self, held: Held, _: Env) -> tuple[Value, ...]:

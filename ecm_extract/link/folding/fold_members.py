@@ -74,6 +74,9 @@ class MemberFolder:
         named = self.folder.enumerations.named(expr.base, env) if expr.name == "name" else ()
         if named:
             return named
+        listed = self.folder.data_classes.of_field(expr, env)
+        if listed:
+            return listed
         part = self.folder.structures.field(expr, env) or begun_field(expr, env, self.folder)
         if not part and expr.name in VALUE_READS:
             return read_as(expr.name, self.folder.fold(expr.base, env.before(env.at)))
@@ -161,7 +164,7 @@ class MemberFolder:
             return None
         known = self.folder.reads.default(name, package)
         asked = ("parameter", package, name)  # a default may be the parameter itself: declare_parameter("a", params_.a)
-        values = self.folder.guarded(asked, name, lambda: self.folder.calls.default_value(name, known, None, env))
+        values = self.folder.guarded(asked, name, lambda: self.folder.parameters.default_value(name, known, None, env))
         return set_by(name, values)
 
     def _holds_parameters(self, node: Expr, env: Env) -> bool:
@@ -211,7 +214,7 @@ class MemberFolder:
             for method, read in self.folder.reads.members(entry, name):
                 if read.at not in self._reads_of(method, name):
                     place = self._method_env(method, cls, env).within(None, read.at)
-                    values += self.folder.calls.parameter_value(read.name, read.default, place)
+                    values += self.folder.parameters.parameter_value(read.name, read.default, place)
         making = [place.func for held, place in sources if _makes(held)]
         if not any(func.is_constructor for func in making) or self._is_left_alone(cls, making, env):
             values += [each for each in self.initial(name, cls, env) if not making or _may_stay(each)]

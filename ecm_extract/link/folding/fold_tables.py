@@ -11,6 +11,7 @@ from ecm_extract.infer.compute import NULL
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import is_map
+from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, constant, data_in, demoted, is_proved, unknown
@@ -73,14 +74,15 @@ class TableFolder:
 
     def _entries(self, expr: Expr, env: Env) -> list[Entry] | None:
         if isinstance(expr, Table):
-            return [Entry(Bound(k, env), Bound(v, env)) for k, v in expr.entries] if is_plain_table(expr) else None
+            return self._displayed(expr, env)
         if isinstance(expr, Comprehension) and isinstance(expr.element, Table):
             rows = self.folder.comprehended.elements(expr, env)
             return None if rows is None else [entry for row in rows for entry in self._entries(row.expr, row.env) or ()]
         if isinstance(expr, Call):
             return self._entries_of_call(expr, env)
         if isinstance(expr, Op) and expr.op == "[]":
-            return self._entries_within(expr, env)
+            each = self._element(expr, env)
+            return self.entries(each.expr, each.env.deeper(env.depth + 1)) if each is not None else None
         if not isinstance(expr, Name | Member):
             return None
         ways = self.folder.flow.ways(expr, env)
@@ -97,12 +99,20 @@ class TableFolder:
             return self.held_entries(*found[0]) if len(found) == 1 else None
         return self._declared_entries(expr, env)
 
-    def _entries_within(self, expr: Op, env: Env) -> list[Entry] | None:
-        """The entries of a table that stands in another one, or in a list: `table["left"]`."""
+    def _element(self, expr: Op, env: Env) -> Bound | None:
+        """What a table has for a key, or a list at an index."""
         entries = self.entries(expr.operands[0], env)
-        key = expr.operands[1]
-        found = self.chosen(entries, key, env) if entries is not None else self.folder.lists.element(expr, env)
-        return self.entries(found.expr, found.env.deeper(env.depth + 1)) if found is not None else None
+        return self.folder.lists.element(expr, env) if entries is None else self.chosen(entries, expr.operands[1], env)
+
+    def _displayed(self, expr: Table, env: Env) -> list[Entry] | None:
+        """The entries of a display, those of tables that it spreads in place."""
+        found: list[Entry] = []
+        for key, value in expr.entries:
+            more = self.entries(value, env) if key == SPREAD_KEY else [Entry(Bound(key, env), Bound(value, env))]
+            if more is None:
+                return None
+            found += more
+        return found
 
     def _declared_entries(self, expr: Name | Member, env: Env) -> list[Entry] | None:
         if env.func.file.language == "python":
@@ -118,6 +128,9 @@ class TableFolder:
     def _entries_of_call(self, expr: Call, env: Env) -> list[Entry] | None:
         call = invocation_of(expr, env)
         if env.func.file.language == "python":
+            if call.path == "dataclasses.asdict":
+                found = self.folder.data_classes.entries(call, env)
+                return [Entry(Bound(Text(key), env), value) for key, value in found] if found is not None else None
             if call.path == "dict" and not call.args:
                 return [Entry(Bound(Text(key), env), Bound(value, env)) for key, value in call.keywords]
             copies = call.path == "dict" or (call.last == "copy" and call.receiver is not None)
@@ -225,9 +238,11 @@ class TableFolder:
         name, args = call.callee.name, call.args
         if name == "clear" and not args:
             return []
-        if name == "update" and len(args) == 1 and not call.keywords:
-            more = self.entries(args[0], env)
-            return None if more is None else [*entries, *more]
+        if name == "update" and len(args) <= 1 and (args or env.func.file.language == "python"):
+            keys = [SPREAD_KEY if key == SPREAD else Text(key) for key, _ in call.keywords]
+            named = Table(tuple(zip(keys, [value for _, value in call.keywords], strict=True)))
+            parts = [self.entries(part, env) for part in (*args, named)]
+            return None if None in parts else [*entries, *(entry for part in parts for entry in part or ())]
         if name in {"insert_or_assign"} and len(args) == 2:
             return [*entries, Entry(Bound(args[0], env), Bound(args[1], env))]
         pair = args[0].items if name == "insert" and len(args) == 1 and isinstance(args[0], Items) else args

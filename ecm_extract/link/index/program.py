@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.class_alternatives import alternatives_joined
+from ecm_extract.link.index.member_callables import settle_callables
 from ecm_extract.link.index.member_lists import settle_members
 from ecm_extract.resolve.cpp_constants import Stated
 from ecm_extract.resolve.headers import Headers
@@ -65,6 +66,7 @@ class Program:
             self._names.add(file, self.classes_in(file), self.functions_in(file))
         for file in self.files:
             settle_members(self.functions_in(file), self._aliased)
+        settle_callables(self.every_function(), lambda cls: (*self.ancestry(cls), *self.derived(cls)))
 
     def _aliased(self, written: str, func: Func) -> str:
         """What an alias stands for in a function; what is none stays."""
@@ -125,6 +127,10 @@ class Program:
     def _seen(self, units: Iterable[_Unit], file: File) -> tuple[_Unit, ...]:
         seen = self.sight.of(file.package)
         return tuple([unit for unit in units if unit.file.language == file.language and unit.file.package in seen])
+
+    def every_function(self) -> Iterator[Func]:
+        """Yield the functions of all files."""
+        return (func for group in self.functions.values() for func in group)
 
     def classes_in(self, file: File) -> Sequence[Cls]:
         """Return the classes of a file, in its order."""

@@ -46,7 +46,7 @@ class PythonTypes:
         bound = self.folder.names.argument(expr.id, env)
         if bound is not None:
             return self.types.expression(bound.expr, bound.env, role)
-        if any(parameter.name == expr.id for parameter in env.func.fact.params):
+        if expr.id in env.func.given:
             return TypeFound(None, frozenset({expr.id}))
         ways = self.folder.flow.ways(expr, env)
         if ways:
@@ -98,7 +98,7 @@ class PythonTypes:
         return next(iter(found)) if len(found) == 1 else next((entry for entry in found if entry.open), UNKNOWN_TYPE)
 
     def _held(self, given: Iterable[Held], env: Env, role: Role) -> Iterator[TypeFound]:
-        for held in given:
+        for held in map(_handed, given):
             if held.how != "value" or held.expr is None or held.env is None:
                 yield UNKNOWN_TYPE
             else:
@@ -112,3 +112,10 @@ class PythonTypes:
         modules = [module for module in starred if module.rsplit(".", 1)[-1] in wanted]
         module = self.folder.program.message_starred(name, modules)
         return TypeFound(self.types.full("::".join([*module.split("."), name]), role)) if module else UNKNOWN_TYPE
+
+
+def _handed(held: Held) -> Held:
+    """What a variable holds that somebody was handed: a class stays that class."""
+    while held.how == "handed" and len(held.before) == 1:
+        held = held.before[0]
+    return held

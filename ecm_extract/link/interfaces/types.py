@@ -9,7 +9,7 @@ from ecm_checker.hub.roles import Role, roles
 from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 
-from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.calls import Invocation, placed_arguments, unseen_argument
 from ecm_extract.link.code.spelling import plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.fold import Folder
@@ -47,7 +47,13 @@ class Types:
             found = self._position(kind, index, call, env, role)
             if found.name is not None or found.open:
                 return found
-        return UNKNOWN_TYPE
+        return self._unseen(positions, call, env)
+
+    def _unseen(self, positions: str, call: Invocation, env: Env) -> TypeFound:
+        """What callers know of a type that a call of Python may spread."""
+        unseen = unseen_argument(call, "arg:" not in positions) if positions else None
+        value = self.folder.fold(unseen, env)[0] if unseen is not None else None
+        return TypeFound(None, value.open("param") | value.open("made")) if value is not None else UNKNOWN_TYPE
 
     def _position(self, kind: str, index: str, call: Invocation, env: Env, role: Role) -> TypeFound:
         if kind == "template":
@@ -280,7 +286,8 @@ def _action(name: str, kind: str) -> str:
 
 
 def _argument(call: Invocation, index: int) -> Expr | None:
-    return call.args[index] if index < len(call.args) else None
+    placed = placed_arguments(call)
+    return placed[index] if index < len(placed) else None
 
 
 def _callback_name(expr: Expr) -> str | Lambda | None:

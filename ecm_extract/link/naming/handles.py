@@ -6,12 +6,14 @@ from collections.abc import Sequence
 from typing import Final, NamedTuple
 
 from ecm_checker.contract import Confidence
-from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Opaque
+from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import by_value, is_pointer, last_name, plain, pointee
 from ecm_extract.link.code.texts import is_text
 from ecm_extract.link.code.units import Func
+from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.naming.carriers import carriers
 from ecm_extract.link.naming.given_handles import given_namespace
@@ -27,11 +29,20 @@ _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
 _PUBLIC = frozenset({"getNodeHandle", "getMTNodeHandle"})
 _NODES = frozenset({"Node", "LifecycleNode"})
 _NAMESPACES = frozenset({"get_fully_qualified_name", "get_namespace", "get_effective_namespace"})
+_CREATE: Final = "rclpy.create_node"
 _SAME = frozenset(
     {"dynamic_pointer_cast", "static_pointer_cast", "lock", "get", "shared_from_this", "move", "ref", "cref"}
 )
 """Calls that give the object they are given, or that they are called on."""
 _TEXTS: Final = ("string", "char")
+
+
+NODE_NAME: Final = "arg:0|kw:node_name"
+NODE_SPACE: Final = "kw:namespace"
+"""Where a node of rclpy is given its name and its namespace."""
+
+
+_NS: Final = "__ns:="
 
 
 class Handle(NamedTuple):
@@ -193,8 +204,11 @@ class Handles:
     def _is_text(self, expr: Expr, env: Env) -> bool:
         return is_known(self.folder.fold(expr, env)[0])
 
-    def _call(self, call: Invocation, env: Env, depth: int) -> Handle | None:
+    def _call(self, written: Invocation, place: Env, depth: int) -> Handle | None:
+        call, env = self.folder.spreading.out(written, place)
         last = call.last
+        if call.func.file.language == "python" and (last in _NODES or call.path == _CREATE) and call.receiver is None:
+            return self._python_node(call, env)
         if last in _PRIVATE | _PUBLIC and self.folder.objects.callee(call, env) is None:
             return Handle(literal("~")) if last in _PRIVATE else OWN
         if last == "NodeHandle" or _makes_handle(call):
@@ -257,6 +271,17 @@ class Handles:
         own = space.parts == node_namespace().parts  # that of the node which makes it
         return Handle(literal(""), name if own else under(space, name))
 
+    def _python_node(self, call: Invocation, env: Env) -> Handle | None:
+        """A node of rclpy, whose namespace is a keyword; None of one without a name, which a class has of its own."""
+        name, space = next(positions(NODE_NAME, call), None), space_given(call, env, self.folder)
+        if name is None:
+            return None
+        named = self.folder.fold(name, env)[0]
+        if space is None or space == NULL:
+            return Handle(literal(""), named)
+        found = self.folder.fold(space, env)
+        return Handle(literal(""), under(found[0] if len(found) == 1 else unknown("namespace"), named))
+
     def _is_namespace(self, expr: Expr, env: Env) -> bool:
         """Tell whether the second argument of a node is text; its options are an object."""
         if isinstance(expr, Call) and invocation_of(expr, env).last in _NAMESPACES:
@@ -268,6 +293,14 @@ def _of_any(prefixes: Sequence[Value], node: Value | None = None) -> Handle:
     """The handle that has one of several prefixes."""
     first, *others = unique(prefixes)
     return Handle(first, node, tuple(others))
+
+
+def space_given(call: Invocation, env: Env, folder: Folder) -> Expr | None:
+    """Return the namespace that a node of rclpy is given; one that its arguments of a command line remap is open."""
+    remaps = folder.lists.items(next(positions("kw:cli_args", call), None), env) or ()
+    if any(_NS in value.text for each in remaps for value in folder.lists.fold(each, env)):
+        return Opaque("namespace")
+    return next(positions(NODE_SPACE, call), None)
 
 
 def under(prefix: Value, name: Value) -> Value:

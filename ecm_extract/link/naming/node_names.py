@@ -5,23 +5,32 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Final
 
 from ecm_checker.contract import Evidence
-from ecm_parsers.source.expr import THIS, Call, Constant, Expr, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Constant, Expr, Items, Member, Name, Table
 from ecm_parsers.source.facts import Statement
+from msgspec import structs
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls, File, Func
+from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.library_functions import library_function
 from ecm_extract.link.index.module_kinds import is_node_base
+from ecm_extract.link.naming.handles import NODE_NAME, space_given
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, Instance
 from ecm_extract.link.running.values import Value, is_known, unknown
 
 _INITS = {"ros::init": 2, "rospy.init_node": 0, "rclpy.create_node": 0}
+_SPACELESS = frozenset({"ros::init", "rospy.init_node"})
+"""Those of ROS 1, where only a launch file gives a node its namespace."""
+_OPEN_SPACE: Final = "{namespace}"
+_OPEN: Final = "{name}"
+"""Stands for the name of a node of which only the namespace is of use."""
 _NAMING = ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_shared")
 
 
@@ -37,6 +46,11 @@ class NodeName:
     def full(self) -> str:
         """Return the name with the namespace before it."""
         return f"{self.space}/{self.text}" if self.space else self.text
+
+    @property
+    def is_open(self) -> bool:
+        """Whether not all of it is known."""
+        return "{" in self.full
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,14 +72,17 @@ class NodeNames:
     def of_class(self, cls: Cls) -> NodeName | None:
         """Return the name that the class passes to its node base, None when it is not fixed."""
         found = self._passed_on(Instance(cls, {}, {}))
-        if found is not None and "{" not in found.space:
+        if found is not None and not found.is_open:
             return found
-        return self._made_with(cls) or self._left_to_another(cls) or self._by_default(cls) or found
+        made = self._makings(cls)
+        told = _agreed(made) or self._left_to_another(cls) or self._by_default(cls) or found
+        others = {name.space for name in made if name is not None}
+        return replace(told, space=_OPEN_SPACE) if told is not None and others - {told.space} else told
 
     def _by_default(self, cls: Cls) -> NodeName | None:
         """The name that a class gives its node where nobody is seen to give it arguments."""
         makers = [func for func in cls.methods if func.is_constructor and "declaration" not in func.fact.traits]
-        given = [{name: Bound(default, Env(func)) for name, default in func.defaults} for func in makers]
+        given = [_by_default(func) for func in makers]
         made = [Instance(cls, args, {}, func) for args, func in zip(given, makers, strict=True) if args]
         return _agreed([self._passed_on(instance) for instance in made])
 
@@ -97,19 +114,31 @@ class NodeNames:
 
     def _passed(self, func: Func, env: Env) -> NodeName | None:
         for at, statement in enumerate(func.fact.body):
-            given = _base_arguments(statement)
+            given, place = self._base_arguments(statement, env.before(at))
             if given is not None:
-                place = Evidence(func.file.path, statement.line)
-                return self._named(given, env.before(at), place)
+                return self._named(given, place, Evidence(func.file.path, statement.line))
         return None
+
+    def _base_arguments(self, statement: Statement, env: Env) -> tuple[Given | None, Env]:
+        """What a constructor hands to a node base, initialiser or `super().__init__`, with its place."""
+        value, target = statement.value, statement.target
+        if statement.kind == "init" and isinstance(target, Name) and is_node_base(plain(target.id)):
+            args = value.args if isinstance(value, Call) and value.callee == target else (value,)
+            return _given(args[0] if args else None, args[1] if len(args) > 1 else None), env
+        if isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == "__init__":
+            call, place = self.folder.spreading.whole(value, env)
+            own = structs.replace(call, args=call.args[1:] if call.args[:1] == (THIS,) else call.args)
+            return _given(next(positions(NODE_NAME, own), None), space_given(own, place, self.folder)), place
+        return None, env
 
     def _named(self, given: Given, env: Env, at: Evidence) -> NodeName | None:
         name = _known(self.folder.fold(given.name, env), at)
-        if name is None or given.space is None or not self._is_text(given.space, env):
+        if given.space is None or not self._is_text(given.space, env):
             return name
         values = self.folder.fold(given.space, env)
         value = values[0] if len(values) == 1 else unknown("namespace")
-        return replace(name, space=value.text.strip("/"))
+        space = value.text.strip("/")
+        return replace(name or NodeName(_OPEN, at), space=space) if space or name is not None else None
 
     def _is_text(self, expr: Expr, env: Env) -> bool:
         """Tell whether the second argument of a node is its namespace; options are an object, in Python it is named."""
@@ -118,18 +147,18 @@ class NodeNames:
         written = self.folder.objects.type_of(expr, env)
         return "string" in written or is_known(self.folder.fold(expr, env)[0])
 
-    def _made_with(self, cls: Cls) -> NodeName | None:
-        """The name that the places that make the class agree on."""
+    def _makings(self, cls: Cls) -> Sequence[NodeName | None]:
+        """The names that the places give a node which make it; none where its constructor is not known."""
         found: list[NodeName | None] = []
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites.makes(call, cls) and call.func.cls is not cls:
                 constructor = self.folder.objects.constructor(cls, len(call.args))
                 if constructor is None:
-                    return None
+                    return ()
                 given = bind(constructor, call, self.sites.root_env(call.func, call.at))
                 name = self._passed_on(self.folder.objects.delegated(Instance(cls, given, {}, constructor)))
                 found.append(replace(name, at=_place(call)) if name is not None else None)
-        return _agreed(found)
+        return found
 
     def of_program(self, main: Func) -> NodeName | None:
         """Return the name that a program gives its node, by a call in the file of its main function."""
@@ -153,25 +182,22 @@ class NodeNames:
         index = _INITS[named] if named is not None else None
         if index is None and (is_node_base(call.path) and call.receiver is None):
             index = 0
-        if index is None or index >= len(call.args):
+        if index is None:
             return None
-        env = self.sites.root_env(call.func, call.at)
-        after = call.args[index + 1 : index + 2] if is_node_base(call.path) else ()
-        space = next(iter(after), dict(call.keywords).get("namespace"))
-        return self._named(Given(call.args[index], space), env, _place(call))
+        own, env = self.folder.spreading.out(call, self.sites.root_env(call.func, call.at))
+        python = call.func.file.language == "python"
+        name = next(positions(f"arg:{index}|kw:node_name|kw:name" if python else f"arg:{index}", own), None)
+        after = f"arg:{index + 1}" if is_node_base(call.path) else ""
+        space = space_given(own, env, self.folder) if python else next(positions(after, own), None)
+        space = space if named not in _SPACELESS else None
+        return self._named(Given(name, space), env, _place(call)) if name is not None else None
 
 
-def _base_arguments(statement: Statement) -> Given | None:
-    """What a constructor hands to a node base: initialiser or `super().__init__`."""
-    value, target = statement.value, statement.target
-    if statement.kind == "init" and isinstance(target, Name) and is_node_base(plain(target.id)):
-        args = value.args if isinstance(value, Call) and value.callee == target else (value,)
-        return _given(args[0] if args else None, args[1] if len(args) > 1 else None)
-    if isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == "__init__":
-        args = value.args[1:] if value.args[:1] == (THIS,) else value.args
-        keywords = dict(value.keywords)
-        return _given(args[0] if args else keywords.get("node_name"), keywords.get("namespace"))
-    return None
+def _by_default(func: Func) -> dict[str, Bound]:
+    """What a function is called with where nobody is seen to give it arguments."""
+    stars = [parameter.name for parameter in func.fact.params if parameter.name.startswith("*")]
+    more = {name.lstrip("*"): Bound(Table(()) if name.startswith("**") else Items(()), Env(func)) for name in stars}
+    return more | {name: Bound(default, Env(func)) for name, default in func.defaults}
 
 
 def _given(name: Expr | None, space: Expr | None) -> Given | None:

@@ -6,42 +6,50 @@ left over stands in `*args` and `**kwargs`. Where the tree does not show what is
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque, Table, Text
 
+from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.places import whole_of
-from ecm_extract.link.code.calls import SPREAD, Invocation, is_spread, spreads
+from ecm_extract.link.code.calls import PLACEHOLDER, Invocation, spreads
+from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY, is_spread, mentions, reads_only
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Bound, Env
 
+MAX_HANDED: Final = 8
+"""Functions that hand on what they are given, each to the next."""
+
 
 class _Given(NamedTuple):
-    """What a call gives, in order and by name; with `is_open` it gives more that is not known."""
+    """What a call gives, in order and by name; `rest` and `table` are what it spreads that is not shown."""
 
     placed: list[Bound]
     named: dict[str, Bound]
-    is_open: bool
+    rest: Bound | None = None
+    table: Bound | None = None
 
 
 def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
     """Return what the parameters of `callee` are at a call: arguments, keywords, then defaults."""
     given = _given(call, env)
+    own = {parameter.name for parameter in callee.params}
     bound: dict[str, Bound] = {}
     rest = given.placed
     for parameter in callee.params:
         if parameter.name.startswith(SPREAD):
-            bound[parameter.name.lstrip("*")] = _left_over(callee, given, env)
+            bound[parameter.name.lstrip("*")] = _left_over(own, given, env)
         elif parameter.name.startswith("*"):
             bound[parameter.name[1:]] = _in_order(given, rest, env)
             rest = []
         elif rest:
             bound[parameter.name] = rest[0]
             rest = rest[1:]
-    bound |= given.named
-    if given.is_open:
+    bound |= {name: value for name, value in given.named.items() if name in own}
+    more = given.rest or given.table
+    if more is not None:
         for parameter in callee.params:
-            bound.setdefault(parameter.name.lstrip("*"), Bound(Opaque(SPREAD), env))
+            bound.setdefault(parameter.name.lstrip("*"), more)
     elif len(bound) < len(callee.params):
         for name, default in callee.defaults:
             kept = isinstance(default, Items | Table | Call) and _is_touched(callee, name)
@@ -63,62 +71,100 @@ def _is_touched(callee: Func, name: str) -> bool:
     return False
 
 
+def is_left_alone(func: Func, name: str) -> bool:
+    """Tell whether a function of Python only reads a parameter, or spreads it, and nobody else can change it."""
+    inner = [each for each in func.file.facts.functions if f"{each.scope}::".startswith(f"{func.inner_scope}::")]
+    if any(mentions(step, name) for each in inner for step in each.body):
+        return False
+    return all(reads_only(step, name) for step in func.fact.body)
+
+
 def _given(call: Invocation, env: Env) -> _Given:
     if not spreads(call):
         named = {name: Bound(value, env) for name, value in call.keywords}
-        return _Given([Bound(arg, env) for arg in call.args], named, is_open=False)
-    found = _Given([], {}, is_open=False)
+        return _Given([Bound(arg, env) for arg in call.args], named)
+    found = _Given([], {})
     for arg in call.args:
-        found = _with_argument(found, arg, env)
+        found = _with_argument(found, Bound(arg, env))
     for name, value in call.keywords:
-        found = _with_keyword(found, name, value, env)
+        found = _with_keyword(found, name, Bound(value, env))
     return found
 
 
-def _with_argument(found: _Given, arg: Expr, env: Env) -> _Given:
-    if not isinstance(arg, Op) or not is_spread(arg):
-        if not found.is_open:
-            found.placed.append(Bound(arg, env))
+def _with_argument(found: _Given, arg: Bound) -> _Given:
+    if found.rest is not None:
         return found
-    spread = _shown(arg.operands[0], env)
-    if not isinstance(spread.expr, Items) or found.is_open:
-        return found._replace(is_open=True)
+    if not isinstance(arg.expr, Op) or not is_spread(arg.expr):
+        found.placed.append(arg)
+        return found
+    spread = _shown(Bound(arg.expr.operands[0], arg.env))
+    if not isinstance(spread.expr, Items):
+        return found._replace(rest=_open(spread))
     for item in spread.expr.items:
-        found = _with_argument(found, item, spread.env)
+        found = _with_argument(found, Bound(item, spread.env))
     return found
 
 
-def _with_keyword(found: _Given, name: str, value: Expr, env: Env) -> _Given:
+def _with_keyword(found: _Given, name: str, value: Bound) -> _Given:
     if name != SPREAD:
-        found.named[name] = Bound(value, env)
+        found.named[name] = value
         return found
-    spread = _shown(value, env)
-    entries = spread.expr.entries if isinstance(spread.expr, Table) else ((value, value),)
-    for key, each in entries:
-        if not isinstance(key, Text):
-            return found._replace(is_open=True)
-        found.named[key.value] = Bound(each, spread.env)
+    spread = _shown(value)
+    if not isinstance(spread.expr, Table):
+        return found._replace(table=_open(spread))
+    for key, each in spread.expr.entries:
+        if isinstance(key, Text):
+            found.named[key.value] = Bound(each, spread.env)
+        elif key == SPREAD_KEY:
+            found = _with_keyword(found, SPREAD, Bound(each, spread.env))
+        else:
+            return found._replace(table=Bound(Opaque(SPREAD), spread.env))
     return found
 
 
-def _shown(expr: Expr, env: Env) -> Bound:
-    """A display, or the one that a parameter of the function at hand stands for."""
-    given = env.args.get(expr.id) if isinstance(expr, Name) and expr.id in env.func.given else None
-    return given if given is not None else Bound(expr, env)
+def _shown(value: Bound) -> Bound:
+    """A display, or the one that a parameter stands for which is only handed on."""
+    for _ in range(MAX_HANDED):
+        given = value.env.args.get(value.expr.id) if isinstance(value.expr, Name) else None
+        if given is None or not isinstance(value.expr, Name) or not _is_handed_on(value.expr.id, value.env.func):
+            break
+        value = given
+    return value
+
+
+def _is_handed_on(name: str, func: Func) -> bool:
+    return name in func.given and is_left_alone(func, name)
+
+
+def _open(value: Bound) -> Bound:
+    """What is spread that is not shown: what the function at hand is given beyond its parameters, or nobody knows."""
+    name = value.expr.id if isinstance(value.expr, Name) else ""
+    rest = any(parameter.name in {f"*{name}", f"**{name}"} for parameter in value.env.func.fact.params)
+    unknown = name in value.env.args or not rest
+    return Bound(Opaque(SPREAD) if unknown else value.expr, value.env.entry())
 
 
 def _in_order(given: _Given, rest: list[Bound], env: Env) -> Bound:
     """The list of arguments that no parameter stands for."""
-    place = rest[0].env if rest else env
-    if given.is_open or any(each.env is not place for each in rest):
-        return Bound(Opaque("*"), env)
-    return Bound(Items(tuple([each.expr for each in rest])), place)
+    more = [given.rest] if given.rest is not None else []
+    names, place = _at_one_place([*rest, *more], env)
+    return Bound(Items((*names[: len(rest)], *[Op("*", (each,)) for each in names[len(rest) :]])), place)
 
 
-def _left_over(callee: Func, given: _Given, env: Env) -> Bound:
+def _left_over(own: set[str], given: _Given, env: Env) -> Bound:
     """The table of keywords that no parameter has the name of."""
-    own = {parameter.name for parameter in callee.params}
     left = {name: value for name, value in given.named.items() if name not in own}
-    if given.is_open or any(value.env is not env for value in left.values()):
-        return Bound(Opaque(SPREAD), env)
-    return Bound(Table(tuple([(Text(name), value.expr) for name, value in left.items()])), env)
+    more = {SPREAD: given.table} if given.table is not None else {}
+    values, place = _at_one_place([*left.values(), *more.values()], env)
+    keys: list[Expr] = [*[Text(name) for name in left], *[SPREAD_KEY for _ in more]]
+    return Bound(Table(tuple(zip(keys, values, strict=True))), place)
+
+
+def _at_one_place(values: list[Bound], env: Env) -> tuple[list[Expr], Env]:
+    """Expressions of several places as those of one, which names what they are."""
+    place = values[0].env if values else env
+    if all(each.env is place for each in values):
+        return [each.expr for each in values], place
+    names = [f"{PLACEHOLDER}{at}" for at in range(len(values))]
+    held = {name: (Held("value", name, each.expr, each.env),) for name, each in zip(names, values, strict=True)}
+    return [Name(name) for name in names], env.within(State().having(held), env.at)

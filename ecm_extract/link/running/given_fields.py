@@ -94,9 +94,9 @@ class GivenFields:
         """The parameter that a field is given, whose default it is: `s.x = node.declare_parameter("x", s.x)`."""
         value, place = entry.statement.value, Env(entry.func, entry.at)
         read = self.folder.reads.read(invocation_of(value, place)) if isinstance(value, Call) else None
-        if read is None or read[1] is None or read[1] != entry.statement.target:
+        if read is None or read.default is None or read.default != entry.statement.target:
             return None
-        return self.folder.fold(read[0], place)[0].text
+        return self.folder.fold(read.name, place)[0].text
 
     def _is_replaced(self, cls: Cls) -> bool:
         """Whether somebody assigns a whole object of a class, or what may be one."""

@@ -23,11 +23,19 @@ class MethodRead(NamedTuple):
     read: ReadInto
 
 
+class ParameterRead(NamedTuple):
+    """The name of a parameter that a call reads, and its default; of a fallback what is declared holds before it."""
+
+    name: Expr
+    default: Expr | None
+    is_fallback: bool = False
+
+
 class ParameterReads(Protocol):
     """What the linker knows of parameters: which call reads one, and the defaults that were declared."""
 
-    def read(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
-        """Return (name, default) when a call gives the value of a parameter."""
+    def read(self, call: Invocation) -> ParameterRead | None:
+        """Return what a call reads that gives the value of a parameter."""
 
     def knows(self, name: str) -> bool:
         """Tell whether a row of the tables is about calls of a name."""

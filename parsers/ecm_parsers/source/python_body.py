@@ -18,6 +18,7 @@ from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave
 from ecm_parsers.source.python_expr import parts, salvage
 from ecm_parsers.source.python_fields import given_by, gives_field
 from ecm_parsers.source.python_literal import NULL, TRUE
+from ecm_parsers.source.python_partials import value_for
 from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught, types_suppressed
 from ecm_parsers.source.python_scan import Scan, StatementHandler
 
@@ -71,7 +72,7 @@ def _sides(scan: Scan, node: Node) -> tuple[Node, str, Node | None]:
 def _bind(scan: Scan, target: Node, type_: str, value: Node | None) -> Expr:
     """Emit an assignment; the result is what an outer target of its chain is bound to."""
     left = scan.expr(target)
-    bound = scan.expr(value) if value is not None else None
+    bound = value_for(scan, left, value)
     if value is not None and _pairwise(scan, target, value, left, bound):
         for one, item in _pairs(left, bound):
             _record(scan, target, one, item, type_)

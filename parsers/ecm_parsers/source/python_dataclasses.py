@@ -18,6 +18,8 @@ from ecm_parsers.source.expr import THIS, Call, Constant, Expr, Lambda, Member, 
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 
 _AFTER = "__post_init__"
+_DECORATOR = "dataclasses.dataclass"
+_PSEUDO = "dataclasses.InitVar"
 
 
 class _Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -54,6 +56,13 @@ class _Taken(NamedTuple):
     is_given: bool
 
 
+class DeclaredField(NamedTuple):
+    """A field as `dataclasses.fields` lists it; without a default where it has none, or makes one each time."""
+
+    name: str
+    default: Expr | None
+
+
 @cache
 def _table() -> _Table:
     text = files("ecm_parsers").joinpath("source", "python_dataclasses.toml").read_text(encoding="utf-8")
@@ -63,6 +72,22 @@ def _table() -> _Table:
 def fills(decorator: str) -> bool:
     """Tell whether a decorator, by its full name, writes the constructor of a class."""
     return decorator in _table().decorators
+
+
+def declared_fields(cls: Class, imports: Iterable[Import]) -> Sequence[DeclaredField] | None:
+    """Return the fields of a class without bases, in their order; None of what is no data class of the library."""
+    imported = Imported.of(imports)
+    decorators = [imported.full(spelled(each)) for each in cls.decorators]
+    types = [imported.full(each.type) for each in cls.fields]
+    if decorators != [_DECORATOR] or cls.bases or _PSEUDO in types:
+        return None
+    found = []
+    for field in cls.fields:
+        made = _making(field.default, imported)
+        if field.type and imported.full(field.type) not in _table().apart:
+            default = field.default if made is None else dict(made.keywords).get("default")
+            found.append(DeclaredField(field.name, default))
+    return found
 
 
 def generated_init(cls: Class, inside: str, methods: Sequence[str], imported: Imported) -> Function | None:
