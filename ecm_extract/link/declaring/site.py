@@ -24,6 +24,7 @@ class Site:
         root: outermost function.
         places: where each call of the chain is evaluated.
         certain: whether a run that gets to the call makes the endpoint; False for one of several that it may make.
+        exact: the class of the objects that it is told of, where those of derived classes have sites of their own.
     """
 
     form: Form
@@ -34,6 +35,7 @@ class Site:
     root: Func
     places: tuple[Env, ...] = ()
     certain: bool = True
+    exact: Cls | None = None
 
     def steps(self) -> Iterator[tuple[Invocation, Env]]:
         """Yield each call with where it is evaluated, outermost call first."""

@@ -243,7 +243,7 @@ class Sites:
         """The same site, seen from one call further out."""
         *places, env = self.ways.inside(site, root)
         chain, owner = (call, *site.chain), call.func.holder
-        return Site(site.form, site.call, env, chain, owner, call.func, (outer, *places), site.certain)
+        return Site(site.form, site.call, env, chain, owner, call.func, (outer, *places), site.certain, site.exact)
 
     def _first(self, site: Site) -> Invocation:
         return site.chain[0] if site.chain else site.call
@@ -260,13 +260,15 @@ class Sites:
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
             *places, env = self.ways.inside(site, root)
-            yield replace(site, env=env, owner=derived, places=tuple(places))
+            yield replace(site, env=env, owner=derived, places=tuple(places), exact=derived)
         for call in self.calls.get(cls.fact.name, ()):
             if call.func.cls is cls or (own and self.is_base_of(call, cls)):
                 continue
             if self.makes(call, cls) and call not in site.chain and self.folder.objects.may_run(site.root, cls, call):
+                exact = cls if own else site.exact
                 for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
-                    yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
+                    each = replace(site, certain=site.certain and certain, exact=exact)
+                    yield self._made_at(each, cls, call, at, outer)
 
     def is_base_of(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes the base of a derived object, which is no object of its own."""

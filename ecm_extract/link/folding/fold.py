@@ -42,6 +42,8 @@ from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.optionals import OptionalFolder
 from ecm_extract.link.folding.own_copies import OwnCopies
+from ecm_extract.link.folding.properties import PropertyFolder
+from ecm_extract.link.folding.redefined import Redefined
 from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
@@ -106,6 +108,8 @@ class Folder:
         self.prefixes: Callable[[Expr, Env], Value | None] = _no_prefix
         self.names = NameFolder(self)
         self.members = MemberFolder(self)
+        self.redefined = Redefined(self)
+        self.properties = PropertyFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
         self.origins = Origins(self)

@@ -139,6 +139,9 @@ class ListFolder:
             return self._of_op(expr, inner)
         if not isinstance(expr, Name | Member):
             return None
+        read = self.folder.properties.read(expr, inner)
+        if read is not None:
+            return self._returned(invocation_of(read, inner), inner)
         return in_their_order(self._of_variable(expr, inner), expr, env, self.folder)
 
     def _spread(self, expr: Items, env: Env) -> list[Bound] | None:
@@ -324,7 +327,7 @@ class ListFolder:
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
         """What a function of the tree returns, where one return is reached."""
         callee = self.folder.returns.meant(call, env)
-        if callee is None:
+        if callee is None or self.folder.redefined.may_be(callee, call, env):
             return None
         found = self.folder.returns.returned(callee, call, env)
         return self.items(*found[0]) if len(found) == 1 else None

@@ -55,11 +55,20 @@ class MemberFolder:
 
     def member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`this->x`, `params_.x`, `module.CONSTANT`, `object.field`."""
+        values = self._member(expr, env)
+        if expr.base == THIS and self.folder.properties.changed_by_reading(expr.name, env):
+            return alternatives((*values, unknown(expr.name)))
+        return values
+
+    def _member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         reached = self.folder.flow.effects(env.func).reached(expr)
         expr = reached if isinstance(reached, Member) else expr
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.of(ways, env)
+        read = self.folder.properties.value(expr, env)
+        if read:
+            return read
         if expr.base == THIS:
             first = self.folder.held.at_first(expr.name, env) if self.folder.names.is_fresh(env) else ()
             if first:

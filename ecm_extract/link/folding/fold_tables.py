@@ -80,6 +80,9 @@ class TableFolder:
             return self._entries_of_call(expr, env)
         if not isinstance(expr, Name | Member):
             return None
+        read = self.folder.properties.read(expr, env)
+        if read is not None:
+            return self._returned_entries(invocation_of(read, env), env)
         ways = self.folder.flow.ways(expr, env)
         if ways:
             states = list(dict.fromkeys(ways))
@@ -118,7 +121,9 @@ class TableFolder:
 
     def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
         callee = self.folder.returns.meant(call, env)
-        found = self.folder.returns.returned(callee, call, env) if callee is not None else []
+        if callee is None or self.folder.redefined.may_be(callee, call, env):
+            return None
+        found = self.folder.returns.returned(callee, call, env)
         return self.entries(*found[0]) if len(found) == 1 else None
 
     def _pairs(self, expr: Expr, env: Env) -> list[Entry] | None:
