@@ -26,6 +26,11 @@ def runs_at_once(func: Func) -> bool:
     return shipped_names(_TABLE, "bare").issuperset(_names(func))
 
 
+def is_of_class(func: Func) -> bool:
+    """Tell whether a method is given the class in the place of an object."""
+    return "classmethod" in _names(func)
+
+
 def is_property(func: Func) -> bool:
     """Tell whether a function is run by reading an attribute of that name, and by nothing else."""
     names = set(_names(func))

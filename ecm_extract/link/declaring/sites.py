@@ -255,14 +255,14 @@ class Sites:
         at = self._first(site).at
         own = site.owner is site.root.cls
         for derived in self.program.derived(cls) if own else ():
-            made = Instance(derived, {}, {})
+            made = Instance(derived, {}, {}, exact=True)
             part = self.folder.objects.part(made, cls)
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
             *places, env = self.ways.inside(site, root)
             yield replace(site, env=env, owner=derived, places=tuple(places), exact=derived)
         for call in self.calls.get(cls.fact.name, ()):
-            if call.func.cls is cls or (own and self.is_base_of(call, cls)):
+            if call.func.holder is cls or (own and self.is_base_of(call, cls)):
                 continue
             if self.makes(call, cls) and call not in site.chain and self.folder.objects.may_run(site.root, cls, call):
                 exact = cls if own else site.exact
@@ -284,7 +284,7 @@ class Sites:
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._types.of_class(cls, call, outer)
-        made = Instance(cls, args, types, constructor)
+        made = Instance(cls, args, types, constructor, exact=True)
         made = made if func is constructor else self.folder.objects.delegated(made)
         own = made.args if func.is_constructor and func.cls is cls else {}
         return Env(func, place.at, own, types, cls, made)

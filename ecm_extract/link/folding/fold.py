@@ -25,6 +25,7 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
+from ecm_extract.link.folding.class_names import ClassNames
 from ecm_extract.link.folding.comprehended import Comprehended
 from ecm_extract.link.folding.fold_calls import CallFolder
 from ecm_extract.link.folding.fold_fields import FieldFolder
@@ -109,6 +110,7 @@ class Folder:
         self.names = NameFolder(self)
         self.members = MemberFolder(self)
         self.redefined = Redefined(self)
+        self.class_names = ClassNames(self)
         self.properties = PropertyFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)

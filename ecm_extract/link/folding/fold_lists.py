@@ -238,6 +238,8 @@ class ListFolder:
         cls = env.this or env.func.cls
         for entry in self.folder.program.ancestry(cls) if cls is not None else ():
             if name in entry.fields and (isinstance(expr, Name) or expr.base == THIS):
+                if cls is None or self.folder.redefined.is_hidden(name, cls, env):
+                    return None
                 return self.items(entry.fields[name].default, Env(env.func, depth=env.depth + 1, this=cls))
         return None
 

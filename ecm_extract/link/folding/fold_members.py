@@ -34,6 +34,7 @@ from ecm_extract.link.running.values import (
     given_holes,
     is_circle,
     lowered,
+    parameter,
     set_by,
     unknown,
 )
@@ -66,7 +67,7 @@ class MemberFolder:
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.of(ways, env)
-        read = self.folder.properties.value(expr, env)
+        read = self.folder.properties.value(expr, env) or self.folder.class_names.value(expr, env)
         if read:
             return read
         if expr.base == THIS:
@@ -181,7 +182,8 @@ class MemberFolder:
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""
         anyone = env.made is None or env.made.cls is not cls or not (env.made.args or env.made.types)
-        asked = ("member", cls, name, None if anyone else env.made, self.folder.scope.owner(name, cls, env))
+        exact = env.made is not None and env.made.cls is cls and env.made.is_one
+        asked = ("member", cls, name, None if anyone else env.made, exact, self.folder.scope.owner(name, cls, env))
         known = self._known.get(asked)
         if known is not None:
             return known
@@ -249,7 +251,10 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        return alternatives((*values, unknown(name))) if self.is_given(name, cls) else values
+        if self.is_given(name, cls):
+            return alternatives((*values, unknown(name)))
+        hidden = self.folder.redefined.is_hidden(name, cls, env)
+        return alternatives((*values, parameter(name, made=True))) if hidden else values
 
     def is_given(self, name: str, cls: Cls) -> bool:
         """Tell whether others than the methods of a class give a member of some object of it something."""
@@ -277,7 +282,7 @@ class MemberFolder:
 
     def ends(self, name: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
         """Yield the run of each method that may change a data member, with its place; None for one that is run now."""
-        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
+        concrete = env.made is not None and env.made.is_one
         derived = () if concrete else self.folder.program.derived(cls)
         scope = self.folder.scope
         owner = scope.owner(name, cls, env)

@@ -58,13 +58,13 @@ class ReturnFolder:
         values = [value for expr, place in found for value in self.folder.fold(expr, place)]
         if call.receiver is not None and not is_own(call.receiver):
             values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
-        open_ = (
-            self.folder.redefined.may_be(callee, call, env)
-            or self._has_given_fields(callee, call, env)
-            or (any(value.confidence != "pattern" for value in values) and self._is_of_touched(callee, call, env))
+        other = self.folder.redefined.rest(callee, call, env)
+        open_ = self._has_given_fields(callee, call, env) or (
+            any(value.confidence != "pattern" for value in values) and self._is_of_touched(callee, call, env)
         )
         listed = _beside_joined(values)
-        return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
+        rest = [other] if other is not None else [unknown(call.last)] if open_ else []
+        return alternatives(demoted((*listed, *rest)))
 
     def _has_given_fields(self, callee: Func, call: Invocation, env: Env) -> bool:
         """Whether the function at hand gives fields of an object something, which its method is not followed with."""

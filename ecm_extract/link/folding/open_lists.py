@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.running.env import MAX_DEPTH, Env
-from ecm_extract.link.running.values import Hole, Value, given_holes, set_by, unknown
+from ecm_extract.link.running.values import Hole, Value, given_holes, parameter, set_by, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -25,7 +25,8 @@ class OpenLists:
 
     def element(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return what an element of such a list is: as long as nobody shows more, `{item}`."""
-        item = unknown(self._redefined(expr, env) or "item")
+        redefined = self._redefined(expr, env)
+        item = parameter(redefined, made=True) if redefined else unknown("item")
         values = self.folder.fold(expr, env) if isinstance(expr, Name | Member) else ()
         names = [value.parameter for value in values if value.parameter]
         set_by_launch = tuple([value for name in names for value in set_by(name, (item,))])

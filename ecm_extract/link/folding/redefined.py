@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.early_binding import is_virtual
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.known_callers import Calling
+from ecm_extract.link.running.values import Value, parameter, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -26,44 +28,60 @@ class Redefined:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._replaced: dict[tuple[Cls, str], bool] = {}
-        self._making: dict[Func, bool] = {}
+        self._making: dict[tuple[Func, Cls | None], bool] = {}
 
     def may_be(self, callee: Func, call: Invocation, env: Env) -> bool:
         """Tell whether a call on the object at hand may run something else than the method that was found."""
-        cls = env.this or env.func.cls
-        if callee.cls is None or cls is None or callee.is_constructor or call.receiver not in {None, THIS}:
-            return callee.cls is not None and not callee.is_constructor and self.is_replaced(callee)
-        if env.func.file.language == "cpp":
-            return self._of_cpp(callee, cls, env)
-        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
+        return self.rest(callee, call, env) is not None
+
+    def rest(self, callee: Func, call: Invocation, env: Env) -> Value | None:
+        """Return what a call gives that runs another method than the one found: makers of the object may know that."""
+        cls, name = env.this or env.func.cls, callee.fact.name
+        if callee.cls is None or callee.is_constructor:
+            return None
+        own = cls is not None and call.receiver in {None, THIS}
+        if self.is_replaced(callee) or (own and self._is_earlier(callee, env)):
+            return unknown(name)
+        if not own or cls is None or self._binds_early(callee, env):
+            return None
+        concrete = env.made is not None and env.made.is_one
         derived = () if concrete else self.folder.program.derived(cls)
-        return self.is_replaced(callee) or any(_redefines(entry, callee.fact.name) for entry in derived)
+        return parameter(name, made=True) if any(_redefines(entry, name) for entry in derived) else None
+
+    def is_hidden(self, name: str, cls: Cls, env: Env) -> bool:
+        """Tell whether a derived class of Python, of which the object at hand may be, has an attribute of its own."""
+        exact = env.made is not None and env.made.is_one and env.made.cls is cls
+        if cls.file.language != "python" or exact:
+            return False
+        return any(_redefines(entry, name) for entry in self.folder.program.derived(cls))
 
     def open_call(self, expr: Expr | None, env: Env) -> str:
-        """Return the name of the method that an expression calls, where another one may run; empty of others."""
+        """Return the name of the method that an expression calls, or of the attribute, where another may be meant."""
+        cls = env.this or env.func.cls
+        if is_own_member(expr) and cls is not None and self.is_hidden(expr.name, cls, env):
+            return expr.name
         read = self.folder.properties.read(expr, env) if isinstance(expr, Member) else expr
         call = invocation_of(read, env) if isinstance(read, Call) else None
         callee = self.folder.returns.meant(call, env) if call is not None else None
         return callee.fact.name if call is not None and callee is not None and self.may_be(callee, call, env) else ""
 
-    def _of_cpp(self, callee: Func, cls: Cls, env: Env) -> bool:
-        """A constructor, and what it calls, has the methods of its own class: [class.cdtor]."""
-        if env.func.is_constructor or not is_virtual(callee, self.folder.program):
+    def _binds_early(self, callee: Func, env: Env) -> bool:
+        """Whether a call of C++ has the method of the class that writes it: [class.virtual], [class.cdtor]."""
+        if env.func.file.language != "cpp":
             return False
-        static = env.func.cls
-        if static is not None and callee.cls not in self.folder.program.ancestry(static):
-            return self._is_called_in_making(env.func)
-        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
-        derived = () if concrete else self.folder.program.derived(cls)
-        return any(_redefines(entry, callee.fact.name) for entry in derived)
+        return env.func.is_constructor or not is_virtual(callee, self.folder.program)
 
-    def _is_called_in_making(self, func: Func) -> bool:
-        """Whether a constructor of its class, which cannot know derived ones, may call a method."""
-        known = self._making.get(func)
+    def _is_earlier(self, callee: Func, env: Env) -> bool:
+        """Whether a constructor of a base of C++, whose object is not yet of the derived class, may call a method."""
+        lineage = self.folder.program.ancestry(callee.cls)[1:] if callee.cls is not None else ()
+        static = env.func.cls
+        if self._binds_early(callee, env) or static not in lineage or env.func.file.language != "cpp":
+            return False
+        known = self._making.get((env.func, callee.cls))
         if known is None:
-            known = self._making[func] = any(
-                each.is_constructor and each.cls is func.cls for each in self._around(func)
-            )
+            around = self._around(env.func)
+            known = any(each.is_constructor and each.cls in lineage for each in around)
+            self._making[env.func, callee.cls] = known
         return known
 
     def _around(self, func: Func) -> Iterator[Func]:

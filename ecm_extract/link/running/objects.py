@@ -226,7 +226,7 @@ class Objects:
             target = self.constructor(made.cls, len(call.args)) if call is not None else None
             if call is None or target is None or target is made.maker:
                 break
-            made = Instance(made.cls, bind(target, call, env.before(call.at)), made.types, target)
+            made = Instance(made.cls, bind(target, call, env.before(call.at)), made.types, target, made.exact)
         return made
 
     def may_run(self, func: Func, cls: Cls, call: Invocation) -> bool:
