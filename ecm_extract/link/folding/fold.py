@@ -27,6 +27,7 @@ from ecm_parsers.source.expr import (
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
 from ecm_extract.link.folding.class_names import ClassNames
 from ecm_extract.link.folding.comprehended import Comprehended
+from ecm_extract.link.folding.enums import EnumFolder
 from ecm_extract.link.folding.fold_calls import CallFolder
 from ecm_extract.link.folding.fold_fields import FieldFolder
 from ecm_extract.link.folding.fold_held import HeldFolder
@@ -111,6 +112,7 @@ class Folder:
         self.members = MemberFolder(self)
         self.redefined = Redefined(self)
         self.class_names = ClassNames(self)
+        self.enums = EnumFolder(self)
         self.properties = PropertyFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
@@ -184,7 +186,7 @@ class Folder:
             case Op():
                 return self.operators.op(expr, env)
             case Template():
-                return joined(self.shown(self.fold(part, env.before(env.at)), env) for part in expr.parts)
+                return joined(self._in_text(part, env.before(env.at)) for part in expr.parts)
             case Text() | Number() | Constant():
                 return (_stated(expr),)
             case Items(items=(only,)) if env.func.file.language == "cpp":  # `{"x"}` in the place of a text is that text
@@ -192,6 +194,9 @@ class Folder:
             case Opaque() if expr.text.isidentifier():
                 return (unknown(expr.text),)
         return (unknown("value"),)
+
+    def _in_text(self, part: Expr, env: Env) -> tuple[Value, ...]:
+        return self.enums.text(part, env, formats=True) or self.shown(self.fold(part, env), env)
 
     @property
     def marks(self) -> tuple[int, int]:

@@ -214,9 +214,9 @@ class ListFolder:
             return self.folder.held.items(*found[0]) if len(found) == 1 else None
         default = self._default(expr, env)
         if isinstance(expr, Name):
-            return default or self._constant(expr, env)
+            return default or self._constant(expr, env) or self.folder.enums.items(expr, env)
         field = self.folder.structures.listed(expr, env) if default is None else None
-        return self.items(field.expr, field.env) if field is not None else default
+        return self.items(field.expr, field.env) if field is not None else default or self.folder.enums.items(expr, env)
 
     def sources(self, expr: Name | Member, env: Env) -> list[tuple[Held, Env]]:
         """Return what methods leave a member with that is a list."""
@@ -236,10 +236,9 @@ class ListFolder:
         """What a member is declared with."""
         name = expr.id if isinstance(expr, Name) else expr.name
         cls = env.this or env.func.cls
-        for entry in self.folder.program.ancestry(cls) if cls is not None else ():
+        hidden = cls is None or self.folder.redefined.is_hidden(name, cls, env)
+        for entry in self.folder.program.ancestry(cls) if cls is not None and not hidden else ():
             if name in entry.fields and (isinstance(expr, Name) or expr.base == THIS):
-                if cls is None or self.folder.redefined.is_hidden(name, cls, env):
-                    return None
                 return self.items(entry.fields[name].default, Env(env.func, depth=env.depth + 1, this=cls))
         return None
 

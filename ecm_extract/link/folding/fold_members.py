@@ -67,7 +67,7 @@ class MemberFolder:
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.of(ways, env)
-        read = self.folder.properties.value(expr, env) or self.folder.class_names.value(expr, env)
+        read = self._run_by_reading(expr, env)
         if read:
             return read
         if expr.base == THIS:
@@ -90,6 +90,13 @@ class MemberFolder:
         if told and (self._is_of_changed_variable(expr, env) or self._is_of_lost(expr.base, env)):
             return alternatives((*known, unknown(expr.name)))
         return known or self._of_given(expr, env) or self._of_message(expr, env) or (unknown(expr.name),)
+
+    def _run_by_reading(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """What Python makes when an attribute is read, of the class or of the object."""
+        folder = self.folder
+        return (
+            folder.properties.value(expr, env) or folder.class_names.value(expr, env) or folder.enums.value(expr, env)
+        )
 
     def _is_of_changed_variable(self, expr: Member, env: Env) -> bool:
         """Tell whether an object is, or is in, a variable of a namespace that some function changes."""
