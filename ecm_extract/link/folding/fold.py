@@ -39,6 +39,7 @@ from ecm_extract.link.folding.fold_returns import ReturnFolder
 from ecm_extract.link.folding.fold_streams import StreamFolder
 from ecm_extract.link.folding.fold_tables import TableFolder
 from ecm_extract.link.folding.fold_texts import TextFolder
+from ecm_extract.link.folding.iterators import Iterators
 from ecm_extract.link.folding.kept_objects import KeptObjects
 from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.messages import MessageFolder
@@ -113,6 +114,7 @@ class Folder:
         self.redefined = Redefined(self)
         self.class_names = ClassNames(self)
         self.enums = EnumFolder(self)
+        self.iterators = Iterators(self)
         self.properties = PropertyFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)

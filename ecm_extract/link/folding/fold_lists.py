@@ -110,8 +110,7 @@ class ListFolder:
         )
 
     def _sliced_text(self, expr: Expr | None, index: Op, env: Env) -> tuple[Value, ...]:
-        bounds = [self.folder.fold(bound, env) for bound in index.operands]
-        options = [self.folder.fold(expr, env), *bounds]
+        options = [self.folder.fold(part, env) for part in (expr, *index.operands)]
         return self.folder.combined(options, lambda data: slice_of(data[0], data[1:], str), "item")
 
     # --- lists -------------------------------------------------------------------------------------------------
@@ -200,10 +199,10 @@ class ListFolder:
     def _of_variable(self, expr: Name | Member, env: Env) -> list[Bound] | None:
         ways = self.folder.flow.ways(expr, env)
         if ways:
-            return self.folder.held.items_of(ways, env)
+            return self.folder.iterators.of_held(expr, ways, env)
         given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
         if given is not None:
-            return self.items(given.expr, given.env.deeper(env.depth + 1))
+            return self.folder.iterators.of_given(expr, given, env)
         if isinstance(expr, Name) and expr.id in env.func.given:
             return None
         begun = self._at_first(expr, env)
@@ -330,6 +329,8 @@ class ListFolder:
         callee = self.folder.returns.meant(call, env)
         if callee is None or self.folder.redefined.may_be(callee, call, env):
             return None
+        if "generator" in callee.fact.traits:
+            return self.folder.iterators.yielded(callee, call, env)
         found = self.folder.returns.returned(callee, call, env)
         return self.items(*found[0]) if len(found) == 1 else None
 

@@ -50,7 +50,7 @@ class ReturnFolder:
     def values(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """Return what a call can give: of each return that is reached, and of what may be called instead."""
         callee = self.meant(call, env)
-        if callee is None:
+        if callee is None or "generator" in callee.fact.traits:
             return (told_by_node(call, env, self.folder) or unknown(call.last),)
         found = self.returned(callee, call, env)
         if not found or len(found) > MAX_RETURNS:
