@@ -37,7 +37,11 @@ class Iterators:
         if not runs_at_once(callee) or {"coroutine", "receiving"}.intersection(callee.fact.traits):
             return None
         this = self.folder.returns.object_at(callee, call, env)
-        if self.folder.methods.depends(callee, this) or not all(self._is_kept(arg, env) for arg in _given(call)):
+        if (
+            self._shares(callee)
+            or self.folder.methods.depends(callee, this)
+            or not all(self._is_kept(arg, env) for arg in _given(call))
+        ):
             return None
         place = self.folder.returns.entered(callee, call, bind(callee, call, env), env)
         run = self.folder.flow.run(place)
@@ -55,6 +59,13 @@ class Iterators:
         if statement.value is None or statement.type == "yield":
             return [Bound(statement.value, place)] if statement.value is not None else None
         return self.folder.lists.items(statement.value, place)
+
+    def _shares(self, callee: Func) -> bool:
+        """Whether a generator has variables in common with a function around it, which that may change in between."""
+        outer = self.folder.nesting.enclosing(callee)
+        flow = self.folder.flow
+        names = self.folder.shifting.names(callee) & flow.effects(outer).own if outer is not None else ()
+        return bool(callee.fact.shared) or any(not flow.is_bound_once(outer, name) for name in names if outer)
 
     def _is_kept(self, arg: Expr, env: Env) -> bool:
         """Whether who asks a generator for its values does not change what it gave that to begin with."""

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
-from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.own import is_own_member
+from ecm_extract.link.code.calls import Invocation, dotted_name
+from ecm_extract.link.code.own import is_own_member, is_super
+from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.early_binding import is_virtual
 from ecm_extract.link.running.env import Env, invocation_of
@@ -42,11 +43,41 @@ class Redefined:
         own = cls is not None and call.receiver in {None, THIS}
         if self.is_replaced(callee) or (own and self._is_earlier(callee, env)):
             return unknown(name)
-        if not own or cls is None or self._binds_early(callee, env):
+        if not own:
+            return unknown(name) if self._is_of_derived(callee, call, env) else None
+        if cls is None or self._binds_early(callee, env):
             return None
         concrete = env.made is not None and env.made.is_one
         derived = () if concrete else self.folder.program.derived(cls)
         return parameter(name, made=True) if any(_redefines(entry, name) for entry in derived) else None
+
+    def _is_of_derived(self, callee: Func, call: Invocation, env: Env) -> bool:
+        """Whether another object, of which only the class is known, may be of a derived one with its own method."""
+        receiver = call.receiver
+        if receiver is None or is_super(receiver) or callee.cls is None or callee.fact.name in callee.cls.statics:
+            return False
+        cls = self.folder.objects.class_of(receiver, env)
+        derived = self.folder.program.derived(cls) if cls is not None else ()
+        if not any(_redefines(entry, callee.fact.name) for entry in derived):
+            return False
+        if env.func.file.language == "cpp":
+            is_value = by_value(self.folder.objects.type_of(receiver, env))
+            return is_virtual(callee, self.folder.program) and not is_value
+        return not self._is_made_as(receiver, cls, env)
+
+    def _is_made_as(self, receiver: Expr, cls: Cls | None, env: Env) -> bool:
+        """Whether an object of Python is made by a call of the class itself, as far as it is seen who makes it."""
+        if self.folder.states.instance(receiver, env) is not None:
+            return True
+        if isinstance(receiver, Call):
+            return self.folder.objects.class_written(dotted_name(receiver.callee), env) is cls
+        own = env.this or env.func.cls
+        found = [(held.expr, held.env) for way in self.folder.flow.ways(receiver, env) for held in way]
+        if not found and is_own_member(receiver) and own is not None:
+            found = [(held.expr, place) for held, place in self.folder.members.sources(receiver.name, own, env)]
+        return bool(found) and all(
+            isinstance(made, Call) and place is not None and self._is_made_as(made, cls, place) for made, place in found
+        )
 
     def is_hidden(self, name: str, cls: Cls, env: Env) -> bool:
         """Tell whether a derived class of Python, of which the object at hand may be, has an attribute of its own."""
