@@ -161,6 +161,8 @@ class Interpreter:
             self.frame.record(at, [state])
             return state
         self.frame.record(at, self.comprehending.states(statement, at, state))
+        if statement.kind == "do" and statement.type.startswith("yield"):
+            self.frame.run.yields.append((at, state))
         env = self.frame.place(state)
         after = self._read(at, env, self.calling.after(at, state, env))
         passed = self.raising.past(at, env, state, after)

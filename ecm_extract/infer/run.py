@@ -44,6 +44,7 @@ class Run:
     Attributes:
         states: statement -> the states in which it is reached, if their routes are taken.
         returns: the `return` statements with their states.
+        yields: the statements that yield something with their states, in order.
         end: the state in which the function is left; None when it never is.
         shown: member or variable outside of functions -> what it holds while other functions may run.
         cut: whether a bound was hit.
@@ -53,6 +54,7 @@ class Run:
 
     states: dict[int, list[State]] = field(default_factory=lambda: defaultdict(list))
     returns: list[tuple[int, State]] = field(default_factory=list)
+    yields: list[tuple[int, State]] = field(default_factory=list)
     end: State | None = None
     shown: dict[str, list[Held]] = field(default_factory=lambda: defaultdict(list))
     cut: bool = False

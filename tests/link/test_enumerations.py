@@ -15,7 +15,6 @@ from std_msgs.msg import String
 class Keys(str, enum.Enum):
     DEPTH = 'max_depth'
     LOW = 'low'
-    _ignore_ = []
 
 
 class Twice(enum.Enum):
@@ -37,7 +36,7 @@ ROWS = [
     ("key = Keys.LOW\n        self.create_publisher(String, key.name, 1)", ["/LOW"]),
     ("for key in Keys:\n            self.create_publisher(String, f'x/{key.name}', 1)", ["/x/DEPTH", "/x/LOW"]),
     ("self.all = [self.create_publisher(String, key.value, 1) for key in Keys]", ["/low", "/max_depth"]),
-    ("for key in Twice:\n            self.create_publisher(String, key.value, 1)", ["/{item}"]),
+    ("for key in Twice:\n            self.create_publisher(String, key.value, 1)", ["/a"]),
     ("self.create_publisher(String, Plain.A.name, 1)", ["/{name}"]),
     ("self.create_publisher(String, Keys.OTHER.name, 1)", ["/{name}"]),
 ]

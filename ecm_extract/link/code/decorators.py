@@ -26,6 +26,23 @@ def runs_at_once(func: Func) -> bool:
     return shipped_names(_TABLE, "bare").issuperset(_names(func))
 
 
+def is_of_class(func: Func) -> bool:
+    """Tell whether a method is given the class in the place of an object."""
+    return "classmethod" in _names(func)
+
+
+def is_property(func: Func) -> bool:
+    """Tell whether a function is run by reading an attribute of that name, and by nothing else."""
+    names = set(_names(func))
+    properties = names & shipped_names(_TABLE, "properties")
+    return len(properties) == 1 and shipped_names(_TABLE, "plain").issuperset(names - properties)
+
+
+def is_kept_property(func: Func) -> bool:
+    """Tell whether an attribute keeps what its function gave when it was read first."""
+    return not shipped_names(_TABLE, "kept").isdisjoint(_names(func))
+
+
 def is_overload(func: Func) -> bool:
     """Tell whether a function only says which types another one takes."""
     return not shipped_names(_TABLE, "overload").isdisjoint(_names(func))

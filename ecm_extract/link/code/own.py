@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypeGuard
 
-from ecm_parsers.source.expr import THIS, Expr, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 
 def is_own_member(expr: Expr | None) -> TypeGuard[Member]:
@@ -17,3 +17,8 @@ def own_name(expr: Expr | None) -> str:
     if isinstance(expr, Name):
         return expr.id
     return expr.name if is_own_member(expr) else ""
+
+
+def is_super(receiver: Expr | None) -> bool:
+    """Tell whether an expression is the object at hand as its bases see it: `super()`, or `super(Class, self)`."""
+    return isinstance(receiver, Call) and receiver.callee == Name("super")

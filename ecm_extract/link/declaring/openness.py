@@ -58,16 +58,23 @@ class Openness:
         derived = self.derived(owner) if owner is not None else ()
         if owner is None or not derived:
             return frozenset()
-        used = _attributes(name_argument(site.form, site.call))
+        asked = {label for value in names for label in _unknown(value)}
+        used = _attributes(name_argument(site.form, site.call)) | asked
         fields = (entry.fields.get(name) for name in used for entry in derived if owner.file.language == "python")
         own = (field.name for field in fields if field is not None and field.default is not None)
-        return frozenset(own) | self._methods(owner, derived, {label for value in names for label in _unknown(value)})
+        return frozenset(own) | self._methods(owner, derived, asked)
 
     def _methods(self, owner: Cls, derived: Iterable[Cls], asked: set[str]) -> frozenset[str]:
-        """The methods among what is not known that only derived classes, or other bases of them, have."""
+        """The methods among what is not known that derived classes, or other bases of them, have.
+
+        Of C++ those only that the class at hand has not: who calls them in its constructor runs its own.
+        """
         program = self.folder.program
         others = [entry for each in derived for entry in program.ancestry(each)] if asked else []
-        return frozenset(asked & set(_with_bodies(others)) - set(_with_bodies(program.ancestry(owner))))
+        theirs = set(_with_bodies(others))
+        if owner.file.language == "python":
+            return frozenset(asked & {method.fact.name for each in derived for method in each.methods})
+        return frozenset(asked & theirs - set(_with_bodies(program.ancestry(owner))))
 
     def _origin(
         self, expr: Expr | None, site: Site, accepts: Callable[[str, Func], bool]

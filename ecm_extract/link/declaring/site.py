@@ -26,6 +26,7 @@ class Site:
         places: where each call of the chain is evaluated.
         certain: whether a run that gets to the call makes the endpoint; False for one of several that it may make.
         written: of a call that spreads its arguments how it is written, and its place; None of others.
+        exact: the class of the objects that it is told of, where those of derived classes have sites of their own.
     """
 
     form: Form
@@ -36,6 +37,7 @@ class Site:
     root: Func
     places: tuple[Env, ...] = ()
     certain: bool = True
+    exact: Cls | None = None
     written: Spread | None = None
 
     def as_written(self) -> Site:

@@ -263,7 +263,7 @@ class Sites:
         *places, env = self.ways.inside(site, root)
         chain, owner = (call, *site.chain), call.func.holder
         written = site.as_written().call
-        wider = Site(site.form, written, env, chain, owner, call.func, (outer, *places), site.certain)
+        wider = Site(site.form, written, env, chain, owner, call.func, (outer, *places), site.certain, site.exact)
         return self._spread_out(wider)
 
     def _first(self, site: Site) -> Invocation:
@@ -276,18 +276,20 @@ class Sites:
         at = self._first(site).at
         own = site.owner is site.root.cls
         for derived in self.program.derived(cls) if own else ():
-            made = Instance(derived, {}, {})
+            made = Instance(derived, {}, {}, exact=True)
             part = self.folder.objects.part(made, cls)
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
             *places, env = self.ways.inside(site, root)
-            yield replace(self.placed(site, env), owner=derived, places=tuple(places))
+            yield replace(self.placed(site, env), owner=derived, places=tuple(places), exact=derived)
         for call in self.calls.get(cls.fact.name, ()):
-            if call.func.cls is cls or (own and self.is_base_of(call, cls)):
+            if call.func.holder is cls or (own and self.is_base_of(call, cls)):
                 continue
             if self.makes(call, cls) and call not in site.chain and self.folder.objects.may_run(site.root, cls, call):
+                exact = cls if own else site.exact
                 for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
-                    yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
+                    each = replace(site, certain=site.certain and certain, exact=exact)
+                    yield self._made_at(each, cls, call, at, outer)
 
     def is_base_of(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes the base of a derived object, which is no object of its own."""
@@ -303,7 +305,7 @@ class Sites:
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._types.of_class(cls, call, outer)
-        made = Instance(cls, args, types, constructor)
+        made = Instance(cls, args, types, constructor, exact=True)
         made = made if func is constructor else self.folder.objects.delegated(made)
         own = made.args if func.is_constructor and func.cls is cls else {}
         return Env(func, place.at, own, types, cls, made)

@@ -109,6 +109,6 @@ class WaysIn:
         begins = func.is_constructor and func.cls is cls
         maker = func if begins else self.folder.objects.constructor(cls, len(link.args))
         given = bind(maker, link, env) if maker is not None else {}
-        made = Instance(cls, given, self.types.of_class(cls, link, env), maker)
+        made = Instance(cls, given, self.types.of_class(cls, link, env), maker, exact=True)
         types = self.types.of_function(func, link, env)
         return Env(func, following.at, given if begins else {}, types, cls, made)

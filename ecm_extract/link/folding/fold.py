@@ -25,9 +25,10 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
+from ecm_extract.link.folding.class_names import ClassNames
 from ecm_extract.link.folding.comprehended import Comprehended
 from ecm_extract.link.folding.data_classes import DataClasses
-from ecm_extract.link.folding.enumerations import Enumerations
+from ecm_extract.link.folding.enums import EnumFolder
 from ecm_extract.link.folding.fold_calls import CallFolder
 from ecm_extract.link.folding.fold_fields import FieldFolder
 from ecm_extract.link.folding.fold_held import HeldFolder
@@ -40,12 +41,15 @@ from ecm_extract.link.folding.fold_returns import ReturnFolder
 from ecm_extract.link.folding.fold_streams import StreamFolder
 from ecm_extract.link.folding.fold_tables import TableFolder
 from ecm_extract.link.folding.fold_texts import TextFolder
+from ecm_extract.link.folding.iterators import Iterators
 from ecm_extract.link.folding.kept_objects import KeptObjects
 from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.module_objects import ModuleObjects
 from ecm_extract.link.folding.optionals import OptionalFolder
 from ecm_extract.link.folding.own_copies import OwnCopies
+from ecm_extract.link.folding.properties import PropertyFolder
+from ecm_extract.link.folding.redefined import Redefined
 from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.spreading import Spreading
 from ecm_extract.link.folding.steps import Steps
@@ -117,7 +121,6 @@ class Folder:
         self.parameters = ParameterFolder(self)
         self.origins = Origins(self)
         self.lists = ListFolder(self)
-        self.enumerations = Enumerations(self)
         self.comprehended = Comprehended(self)
         self.returns = ReturnFolder(self)
         self.texts = TextFolder(self)
@@ -127,7 +130,6 @@ class Folder:
         self.own_copies = OwnCopies(self)
         self.tables = TableFolder(self)
         self.spreading = Spreading(self)
-        self.data_classes = DataClasses(self)
         self.optionals = OptionalFolder(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)
@@ -137,12 +139,22 @@ class Folder:
         self.messages = MessageFolder(self)
         self.cuts = self.cycles = 0
         self.faults = Faults()
-        self.module_objects = ModuleObjects(self)
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
         self._active: set[Hashable] = set()
         self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}
         self._answers: dict[_Asked, tuple[Env, tuple[Value, ...]]] = {}
+        self._begin_classes()
         self._begin_runs()
+
+    def _begin_classes(self) -> None:
+        """Make those who know what Python makes of classes, and what objects give when they are asked."""
+        self.redefined = Redefined(self)
+        self.class_names = ClassNames(self)
+        self.enums = EnumFolder(self)
+        self.iterators = Iterators(self)
+        self.properties = PropertyFolder(self)
+        self.data_classes = DataClasses(self)
+        self.module_objects = ModuleObjects(self)
 
     def _begin_runs(self) -> None:
         """Make those who know what runs of functions leave variables with."""
@@ -190,7 +202,7 @@ class Folder:
             case Op():
                 return self.operators.op(expr, env)
             case Template():
-                return joined(self.shown(self.fold(part, env.before(env.at)), env) for part in expr.parts)
+                return joined(self._in_text(part, env.before(env.at)) for part in expr.parts)
             case Text() | Number() | Constant():
                 return (_stated(expr),)
             case Items(items=(only,)) if env.func.file.language == "cpp":  # `{"x"}` in the place of a text is that text
@@ -198,6 +210,9 @@ class Folder:
             case Opaque() if expr.text.isidentifier():
                 return (unknown(expr.text),)
         return (unknown("value"),)
+
+    def _in_text(self, part: Expr, env: Env) -> tuple[Value, ...]:
+        return self.enums.text(part, env, formats=True) or self.shown(self.fold(part, env), env)
 
     @property
     def marks(self) -> tuple[int, int]:

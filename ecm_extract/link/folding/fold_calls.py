@@ -170,6 +170,9 @@ class CallFolder:
             return (literal(""),) if call.path not in NUMBERS else (constant(as_number(0, call.path)),)
         if len(call.args) > 1:
             return self._repeated(call, env) if call.last == "string" else (unknown(call.last),)
+        named = self.folder.enums.text(call.args[0], env, formats=False) if call.path == "str" else ()
+        if named:
+            return named
         values = self.folder.fold(call.args[0], env)
         python = env.func.file.language == "python"
         if call.path in {"str", "std::to_string", "String"}:

@@ -110,8 +110,7 @@ class ListFolder:
         )
 
     def _sliced_text(self, expr: Expr | None, index: Op, env: Env) -> tuple[Value, ...]:
-        bounds = [self.folder.fold(bound, env) for bound in index.operands]
-        options = [self.folder.fold(expr, env), *bounds]
+        options = [self.folder.fold(part, env) for part in (expr, *index.operands)]
         return self.folder.combined(options, lambda data: slice_of(data[0], data[1:], str), "item")
 
     # --- lists -------------------------------------------------------------------------------------------------
@@ -139,19 +138,17 @@ class ListFolder:
             return self._of_op(expr, inner)
         if not isinstance(expr, Name | Member):
             return None
-        found = in_their_order(self._of_variable(expr, inner), expr, env, self.folder)
-        return self.folder.enumerations.elements(expr, inner) if found is None else found
+        read = self.folder.properties.read(expr, inner)
+        if read is not None:
+            return self._returned(invocation_of(read, inner), inner)
+        return in_their_order(self._of_variable(expr, inner), expr, env, self.folder)
 
     def _spread(self, expr: Items, env: Env) -> list[Bound] | None:
         """The elements of a display, `*spread` ones in place."""
         found: list[Bound] = []
         for item in expr.items:
-            spread = isinstance(item, Op) and item.op == "*" and len(item.operands) == 1
-            more = (
-                self.items(item.operands[0], env.before(env.at))
-                if spread and isinstance(item, Op)
-                else [Bound(item, env)]
-            )
+            spread = item.operands if isinstance(item, Op) and item.op == "*" and len(item.operands) == 1 else ()
+            more = self.items(spread[0], env.before(env.at)) if spread else [Bound(item, env)]
             if more is None:
                 return None
             found += more
@@ -198,10 +195,10 @@ class ListFolder:
     def _of_variable(self, expr: Name | Member, env: Env) -> list[Bound] | None:
         ways = self.folder.flow.ways(expr, env)
         if ways:
-            return self.folder.held.items_of(ways, env)
+            return self.folder.iterators.of_held(expr, ways, env)
         given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
         if given is not None:
-            return self.items(given.expr, given.env.deeper(env.depth + 1))
+            return self.folder.iterators.of_given(expr, given, env)
         if isinstance(expr, Name) and expr.id in env.func.given:
             return None
         begun = self._at_first(expr, env)
@@ -212,11 +209,13 @@ class ListFolder:
             return self.folder.held.items(*found[0]) if len(found) == 1 else None
         default = self._default(expr, env)
         if isinstance(expr, Name):
-            return default or self._constant(expr, env)
+            return default or self._constant(expr, env) or self.folder.enums.items(expr, env)
         if default is not None:
             return default
         field = self.folder.structures.listed(expr, env)
-        return self.items(field.expr, field.env) if field is not None else self._shared_constant(expr, env)
+        if field is not None:
+            return self.items(field.expr, field.env)
+        return self._shared_constant(expr, env) or self.folder.enums.items(expr, env)
 
     def _shared_constant(self, expr: Member, env: Env) -> list[Bound] | None:
         """The elements of a list that a class of Python, or another module, has."""
@@ -245,19 +244,13 @@ class ListFolder:
     def declared(self, expr: Name | Member, env: Env) -> Bound | None:
         """Return what a member of the object at hand is declared with."""
         cls, name = env.this or env.func.cls, own_name(expr)
-        for entry in self.folder.program.ancestry(cls) if cls is not None else ():
-            field = entry.fields.get(name)
-            if field is not None and cls is not None:
-                known = not self.folder.names.is_changed(entry, name) and not self._is_redefined(name, cls, env)
-                given = field.default if known else None
+        if cls is None or self.folder.redefined.is_hidden(name, cls, env):
+            return None
+        for entry in self.folder.program.ancestry(cls):
+            if name in entry.fields:
+                given = entry.fields[name].default if not self.folder.names.is_changed(entry, name) else None
                 return Bound(given, Env(env.func, depth=env.depth + 1, this=cls)) if given is not None else None
         return None
-
-    def _is_redefined(self, name: str, cls: Cls, env: Env) -> bool:
-        """Whether the object at hand may be of a class of Python that derives from its own and has another."""
-        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
-        others = (entry for entry in self.folder.program.derived(cls) if entry is not cls)
-        return cls.file.language == "python" and not concrete and any(name in entry.fields for entry in others)
 
     def _constant(self, expr: Name, env: Env) -> list[Bound] | None:
         if env.func.file.language == "python":
@@ -346,7 +339,9 @@ class ListFolder:
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
         """What a function of the tree returns, where one return is reached."""
         callee = self.folder.returns.meant(call, env)
-        if callee is None:
+        if callee is None or self.folder.redefined.may_be(callee, call, env):
             return None
+        if "generator" in callee.fact.traits:
+            return self.folder.iterators.yielded(callee, call, env)
         found = self.folder.returns.returned(callee, call, env)
         return self.items(*found[0]) if len(found) == 1 else None

@@ -5,13 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Hashable, Iterator
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import (
-    THIS,
-    Call,
-    Expr,
-    Member,
-    Name,
-)
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 from ecm_extract.infer.held import Held, all_ways
 from ecm_extract.infer.places import whole_of
@@ -34,6 +28,7 @@ from ecm_extract.link.running.values import (
     given_holes,
     is_circle,
     lowered,
+    parameter,
     set_by,
     unknown,
     without_defaults,
@@ -56,11 +51,20 @@ class MemberFolder:
 
     def member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`this->x`, `params_.x`, `module.CONSTANT`, `object.field`."""
+        values = self._member(expr, env)
+        if expr.base == THIS and self.folder.properties.changed_by_reading(expr.name, env):
+            return alternatives((*values, unknown(expr.name)))
+        return values
+
+    def _member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         reached = self.folder.flow.effects(env.func).reached(expr)
         expr = reached if isinstance(reached, Member) else expr
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.of(ways, env)
+        read = self._run_by_reading(expr, env)
+        if read:
+            return read
         if expr.base == THIS:
             first = self.folder.held.at_first(expr.name, env) if self.folder.names.is_fresh(env) else ()
             if first:
@@ -71,9 +75,6 @@ class MemberFolder:
         pointed = self.folder.searches.part(expr, env)
         if pointed is not None:
             return demoted(self.folder.lists.fold(pointed, env))
-        named = self.folder.enumerations.named(expr.base, env) if expr.name == "name" else ()
-        if named:
-            return named
         listed = self.folder.data_classes.of_field(expr, env)
         if listed:
             return listed
@@ -88,6 +89,11 @@ class MemberFolder:
             return alternatives((*known, unknown(expr.name)))
         known = known or self.folder.module_objects.member(expr, env)
         return known or self._of_given(expr, env) or self._of_message(expr, env) or (unknown(expr.name),)
+
+    def _run_by_reading(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """What Python makes when an attribute is read, of the class or of the object."""
+        found = self.folder.properties.value(expr, env) or self.folder.class_names.value(expr, env)
+        return found or self.folder.enums.value(expr, env)
 
     def _is_of_changed_variable(self, expr: Member, env: Env) -> bool:
         """Tell whether an object is, or is in, a variable of a namespace that some function changes."""
@@ -181,7 +187,8 @@ class MemberFolder:
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""
         anyone = env.made is None or env.made.cls is not cls or not (env.made.args or env.made.types)
-        asked = ("member", cls, name, None if anyone else env.made, self.folder.scope.owner(name, cls, env))
+        exact = env.made is not None and env.made.cls is cls and env.made.is_one
+        asked = ("member", cls, name, None if anyone else env.made, exact, self.folder.scope.owner(name, cls, env))
         known = self._known.get(asked)
         if known is not None:
             return known
@@ -249,7 +256,10 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        return alternatives((*values, unknown(name))) if self.is_given(name, cls) else values
+        if self.is_given(name, cls):
+            return alternatives((*values, unknown(name)))
+        hidden = self.folder.redefined.is_hidden(name, cls, env)
+        return alternatives((*values, parameter(name, made=True))) if hidden else values
 
     def is_given(self, name: str, cls: Cls) -> bool:
         """Tell whether others than the methods of a class give a member of some object of it something."""
@@ -277,7 +287,7 @@ class MemberFolder:
 
     def ends(self, name: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
         """Yield the run of each method that may change a data member, with its place; None for one that is run now."""
-        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
+        concrete = env.made is not None and env.made.is_one
         derived = () if concrete else self.folder.program.derived(cls)
         scope = self.folder.scope
         owner = scope.owner(name, cls, env)

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Expr, Name
 
+from ecm_extract.infer.held import all_ways
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.decorators import are_known, is_overload
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overloads import score
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.folding.fold_closures import ClosureFolder
 from ecm_extract.link.folding.names_of_nodes import told_by_node
 from ecm_extract.link.folding.raises import Raises
@@ -30,6 +33,8 @@ from ecm_extract.link.running.values import (
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
+_TOUCHED: Final = frozenset({"handed", "lost", "out"})
+"""What becomes of an object that somebody has who is not followed."""
 MAX_RETURNS = 12
 """Returns of one call that are looked at."""
 
@@ -45,7 +50,7 @@ class ReturnFolder:
     def values(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """Return what a call can give: of each return that is reached, and of what may be called instead."""
         callee = self.meant(call, env)
-        if callee is None:
+        if callee is None or "generator" in callee.fact.traits:
             return (told_by_node(call, env, self.folder) or unknown(call.last),)
         found = self.returned(callee, call, env)
         if not found or len(found) > MAX_RETURNS:
@@ -53,9 +58,13 @@ class ReturnFolder:
         values = [value for expr, place in found for value in self.folder.fold(expr, place)]
         if call.receiver is not None and not is_own(call.receiver):
             values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
-        open_ = self.may_be_overridden(callee, call, env) or self._has_given_fields(callee, call, env)
+        other = self.folder.redefined.rest(callee, call, env)
+        open_ = self._has_given_fields(callee, call, env) or (
+            any(value.confidence != "pattern" for value in values) and self._is_of_touched(callee, call, env)
+        )
         listed = _beside_joined(values)
-        return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
+        rest = [other] if other is not None else [unknown(call.last)] if open_ else []
+        return alternatives(demoted((*listed, *rest)))
 
     def _has_given_fields(self, callee: Func, call: Invocation, env: Env) -> bool:
         """Whether the function at hand gives fields of an object something, which its method is not followed with."""
@@ -65,6 +74,14 @@ class ReturnFolder:
         return bool(key) and any(
             changed.startswith(f"{key}.") for changed in self.folder.flow.outline(env.func).changes
         )
+
+    def _is_of_touched(self, callee: Func, call: Invocation, env: Env) -> bool:
+        """Whether a method of Python asks an object for its members that somebody may have changed who is not seen."""
+        if env.func.file.language != "python" or callee.cls is None or is_own(call.receiver):
+            return False
+        asks = any(is_own_member(expr) for entry in callee.fact.body for expr, _ in expressions(entry))
+        ways = self.folder.flow.ways(_receiver(call), env) if asks else []
+        return any(held.how in _TOUCHED for way in ways for held in all_ways(way))
 
     def meant(self, call: Invocation, env: Env) -> Func | None:
         """Return the one function that a call means by what is known of its arguments; None where several fit."""
@@ -91,16 +108,6 @@ class ReturnFolder:
         if all(value.data is None and any(isinstance(part, str) for part in value.parts) for value in values):
             return "text"
         return kind_of_type(self.folder.objects.type_of(arg, env))
-
-    def may_be_overridden(self, callee: Func, call: Invocation, env: Env) -> bool:
-        """Tell whether a class that derives from the one at hand has a method of its own of that name."""
-        cls = env.this or env.func.cls
-        own = call.receiver in {None, THIS} and callee.cls is not None and cls is not None
-        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
-        if not own or concrete or cls is None or callee.is_constructor:
-            return False
-        derived = self.folder.program.derived(cls)
-        return any(method.fact.name == callee.fact.name for entry in derived for method in entry.methods)
 
     def returned(self, callee: Func, call: Invocation, env: Env) -> list[tuple[Expr, Env]]:
         """Return what a call of a function gives back: an expression for each reached return, with its place."""
@@ -144,7 +151,7 @@ def _class_of(made: Instance | None, callee: Func, call: Invocation, env: Env) -
     return made.cls if made is not None else callee.cls
 
 
-def _receiver(call: Invocation) -> Expr | None:
+def _receiver(call: Invocation) -> Expr:
     """The object that a method is called on; in Python a path may begin with it."""
     return call.receiver if call.receiver is not None else Name(call.path.split(".")[0])
 

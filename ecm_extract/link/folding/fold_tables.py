@@ -83,8 +83,12 @@ class TableFolder:
         if isinstance(expr, Op) and expr.op == "[]":
             each = self._element(expr, env)
             return self.entries(each.expr, each.env.deeper(env.depth + 1)) if each is not None else None
-        if not isinstance(expr, Name | Member):
-            return None
+        return self._entries_of_variable(expr, env) if isinstance(expr, Name | Member) else None
+
+    def _entries_of_variable(self, expr: Name | Member, env: Env) -> list[Entry] | None:
+        read = self.folder.properties.read(expr, env)
+        if read is not None:
+            return self._returned_entries(invocation_of(read, env), env)
         ways = self.folder.flow.ways(expr, env)
         if ways:
             states = list(dict.fromkeys(ways))
@@ -143,7 +147,9 @@ class TableFolder:
 
     def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
         callee = self.folder.returns.meant(call, env)
-        found = self.folder.returns.returned(callee, call, env) if callee is not None else []
+        if callee is None or self.folder.redefined.may_be(callee, call, env):
+            return None
+        found = self.folder.returns.returned(callee, call, env)
         return self.entries(*found[0]) if len(found) == 1 else None
 
     def _pairs(self, expr: Expr, env: Env) -> list[Entry] | None:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.running.env import MAX_DEPTH, Env
-from ecm_extract.link.running.values import Hole, Value, given_holes, set_by, unknown
+from ecm_extract.link.running.values import Hole, Value, given_holes, parameter, set_by, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
+
+_OF_TABLES: Final = frozenset({"items", "keys", "values"})
 
 
 class OpenLists:
@@ -23,11 +25,18 @@ class OpenLists:
 
     def element(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return what an element of such a list is: as long as nobody shows more, `{item}`."""
-        item = unknown("item")
+        redefined = self._redefined(expr, env)
+        item = parameter(redefined, made=True) if redefined else unknown("item")
         values = self.folder.fold(expr, env) if isinstance(expr, Name | Member) else ()
         names = [value.parameter for value in values if value.parameter]
         set_by_launch = tuple([value for name in names for value in set_by(name, (item,))])
         return set_by_launch or (self._left_open(expr, env) or item,)
+
+    def _redefined(self, expr: Expr | None, env: Env) -> str:
+        """The method that gives the list, or the table of `table.items()`, where derived classes may have their own."""
+        of_table = isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name in _OF_TABLES
+        listed = expr.callee.base if of_table and isinstance(expr, Call) and isinstance(expr.callee, Member) else expr
+        return self.folder.redefined.open_call(listed, env)
 
     def _left_open(self, expr: Expr | None, env: Env) -> Value | None:
         """An element of what is passed for the list, or for the first that it is made of: who passes one passes all."""

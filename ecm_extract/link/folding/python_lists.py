@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from itertools import combinations, islice, permutations, product, zip_longest
+from math import prod
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, TypeAlias
 
-from ecm_parsers.source.expr import Call, Expr, Items, Lambda, Name, Number, Op, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Op, Text
 
 from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
@@ -118,6 +120,55 @@ def _zipped(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None
     return [_row(*row) for row in zip(*known, strict=False)]
 
 
+def _columns(lists: ListFolder, call: Invocation, env: Env) -> list[list[Bound]] | None:
+    columns = [lists.items(arg, env) for arg in call.args]
+    known = [column for column in columns if column is not None]
+    return known if len(known) == len(columns) and columns else None
+
+
+def _producted(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    columns, keywords = _columns(lists, call, env), dict(call.keywords)
+    count = keywords.get("repeat", Number(1))
+    if columns is None or keywords.keys() - {"repeat"} or not isinstance(count, Number) or count.value not in range(9):
+        return None
+    columns = columns * int(count.value)
+    if not columns or prod(map(len, columns)) > MAX_ITEMS:
+        return None
+    return [_row(*row) for row in product(*columns)]
+
+
+def _chained(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    columns = _columns(lists, call, env) if not call.keywords else None
+    return [each for column in columns for each in column] if columns is not None else None
+
+
+def _flattened(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    rows = lists.items(call.args[0], env) if len(call.args) == 1 and not call.keywords else None
+    columns = [lists.items(row.expr, row.env.deeper(env.depth + 1)) for row in rows or ()]
+    known = [column for column in columns if column is not None]
+    return [each for column in known for each in column] if rows is not None and len(known) == len(columns) else None
+
+
+def _zipped_longest(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    columns, keywords = _columns(lists, call, env), dict(call.keywords)
+    if columns is None or keywords.keys() - {"fillvalue"}:
+        return None
+    fill = Bound(keywords.get("fillvalue", Constant("null")), env)
+    return [_row(*row) for row in zip_longest(*columns, fillvalue=fill)]
+
+
+def _chosen(work: Callable[[list[Bound], int], Iterable[tuple[Bound, ...]]]) -> _Giver:
+    def give(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+        items = lists.items(call.args[0], env) if len(call.args) == 2 and not call.keywords else None
+        size = call.args[1] if items is not None else None
+        if items is None or not isinstance(size, Number) or size.value not in range(1, 9):
+            return None
+        rows = list(islice(work(items, int(size.value)), MAX_ITEMS + 1))
+        return [_row(*row) for row in rows] if len(rows) <= MAX_ITEMS else None
+
+    return give
+
+
 def _table_part(which: str) -> _Giver:
     def work(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
         entries = lists.folder.tables.entries(call.receiver, env)
@@ -157,6 +208,12 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "reversed": _reversed,
         "enumerate": _enumerated,
         "zip": _zipped,
+        "itertools.product": _producted,
+        "itertools.chain": _chained,
+        "itertools.chain.from_iterable": _flattened,
+        "itertools.zip_longest": _zipped_longest,
+        "itertools.combinations": _chosen(combinations),
+        "itertools.permutations": _chosen(permutations),
         "keys": _table_part("keys"),
         "values": _table_part("values"),
         "dataclasses.fields": _fields,

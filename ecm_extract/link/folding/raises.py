@@ -131,7 +131,7 @@ class Raises:
         if callee is None or not self._runs_at_once(callee) or self._has_others(callee):
             return _OPEN
         implied = callee.cls is not None and self.folder.flow.exceptions.always(callee)  # for others to override
-        if callee.is_constructor or implied or self.folder.returns.may_be_overridden(callee, found, env):
+        if callee.is_constructor or implied or self.folder.redefined.may_be(callee, found, env):
             return _OPEN
         run = self.folder.flow.run(self.folder.returns.entered(callee, found, bind(callee, found, env), env))
         return self._left(run) if run is not None and not run.cut else _OPEN

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from ecm_extract.link.code.beginnings import beginnings
 from ecm_extract.link.code.calls import Invocation, invocations
 from ecm_extract.link.code.spelling import by_value, last_name, plain, template_arguments
+from ecm_extract.link.index.own_class import of_own_class
 from ecm_extract.link.index.program import Program
 
 
@@ -26,6 +27,8 @@ def call_index(program: Program, wanted: Set[str], aliases: Set[str]) -> dict[st
     for functions in program.functions.values():
         for func in functions:
             for call in invocations(func, names):
+                index[call.last].append(call)
+            for call in of_own_class(func, program):
                 index[call.last].append(call)
     for group in program.classes.values():
         for cls in group:

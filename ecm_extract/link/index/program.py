@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
+from ecm_extract.link.index.base_lines import merged_lines
 from ecm_extract.link.index.class_alternatives import alternatives_joined
 from ecm_extract.link.index.member_callables import settle_callables
 from ecm_extract.link.index.member_lists import settle_members
@@ -238,10 +239,14 @@ class Program:
         return [base for base in found if base is not None and base is not cls]
 
     def ancestry(self, cls: Cls) -> tuple[Cls, ...]:
-        """Return the class and its bases in the tree, nearest first, each once."""
+        """Return the class and its bases in the tree, nearest first, each once; of Python as that looks them up."""
         known = self._mro.get(cls)
         if known is None:
             self._mro[cls] = (cls,)  # of a class that derives from itself
+            merged = merged_lines([self.ancestry(base) for base in self.bases(cls)]) if _is_python(cls) else None
+            if merged is not None and cls not in merged:
+                known = self._mro[cls] = (cls, *merged)
+                return known
             ordered = [cls]
             for entry in ordered:
                 ordered.extend(base for base in (*self.bases(entry), *self._given(entry)) if base not in ordered)
@@ -284,6 +289,10 @@ class Program:
             return ".".join([file.imported.get(head, head), *rest])
         target = self.alias(bare, file, scope)
         return plain(target) if target else bare
+
+
+def _is_python(cls: Cls) -> bool:
+    return cls.file.language == "python"
 
 
 def _group_classes(files: tuple[File, ...]) -> dict[str, list[Cls]]:

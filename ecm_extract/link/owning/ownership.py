@@ -42,6 +42,10 @@ class Ownership:
         if called is not None:
             return (called,)
         owners = [each for each in self.modules.owners(unit) if not _is_told_by_rows(site, each)]
+        derived = [each for each in owners if self._derives(each, site)]
+        if derived and len(derived) == len(owners):
+            return ()
+        owners = [each for each in owners if each not in derived]
         line = [call.func for call in (*site.chain, site.call)]
         owners = [each for each in owners if all(self.modules.links(each, func) for func in line)]
         through = self._through(unit, site)
@@ -52,6 +56,11 @@ class Ownership:
             return running
         dead = self.modules.is_of_programs_only(site.root.file) and not _is_in_a_table(unit)
         return () if dead else self._library(unit)
+
+    def _derives(self, module: Module, site: Site) -> bool:
+        """Whether a module is a class that derives from the one of whose objects a site tells; it has its own."""
+        cls, exact = module.cls, site.exact
+        return cls is not None and exact is not None and cls is not exact and exact in self.program.ancestry(cls)
 
     def _called_on(self, unit: Unit, site: Site) -> Module | None:
         """The node whose object a program calls by itself: `node->declare_parameter(...)` in `main`."""

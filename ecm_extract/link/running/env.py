@@ -37,12 +37,19 @@ class Instance:
         args: constructor parameter -> argument.
         types: template parameter of the class -> argument as written.
         maker: the constructor that is called, when known.
+        exact: whether the object is known to be of no derived class, whatever else is known of it.
     """
 
     cls: Cls
     args: Mapping[str, Bound]
     types: Mapping[str, str]
     maker: Func | None = None
+    exact: bool = False
+
+    @property
+    def is_one(self) -> bool:
+        """Whether it is one way, and not any in which an object of the class, or of a derived one, may be made."""
+        return bool(self.exact or self.args or self.types or self.maker)
 
 
 @dataclass(slots=True, eq=False, repr=False)

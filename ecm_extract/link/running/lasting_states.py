@@ -70,7 +70,7 @@ class LastingStates:
             return None
         call = invocation_of(held.expr, env)
         callee = self.folder.returns.meant(call, env)
-        if callee is None or self.folder.returns.may_be_overridden(callee, call, env):
+        if callee is None or self.folder.redefined.may_be(callee, call, env):
             return None
         inner = self.folder.returns.entered(callee, call, bind(callee, call, env), env)
         if callee not in variable.changing:

@@ -114,7 +114,7 @@ class MethodEffects:
         """The one method that a call runs; None where several fit, or a class that derives may have its own."""
         callee = self.folder.returns.meant(call, env)
         method = callee is not None and callee.cls is not None
-        return callee if callee and method and not self.folder.returns.may_be_overridden(callee, call, env) else None
+        return callee if callee and method and not self.folder.redefined.may_be(callee, call, env) else None
 
     def _members(self, func: Func, this: Cls | None) -> Set[str] | None:
         asked = (func, this)
@@ -134,7 +134,8 @@ class MethodEffects:
             self._depending[asked] = False  # who asks in a circle
             called = self._called(func, this) or () if func.cls is not None else ()
             own = self.folder.shifting.is_read(func, this) or self.folder.object_fields.reads(func, this)
-            self._depending[asked] = own or any(self.depends(each, this) for each in called)
+            read = self.folder.properties.read_by(func, this)
+            self._depending[asked] = own or any(self.depends(each, this) for each in (*called, *read))
         return self._depending[asked]
 
     def _reached(self, func: Func, this: Cls | None) -> Set[str] | None:

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import THIS, Call, Expr
 
 from ecm_extract.infer.held import MAX_WAYS, Held, State
+from ecm_extract.link.code.own import is_super
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
 from ecm_extract.link.running.known_callers import KnownCallers
-from ecm_extract.link.running.objects import is_super
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder

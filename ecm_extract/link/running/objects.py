@@ -11,12 +11,13 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Text
 from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.code.overloads import NO, is_countable, score
-from ecm_extract.link.code.own import is_own_member
+from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.pointed import pointed as pointed_class
 from ecm_extract.link.code.spelling import is_pointer, last_name, plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.early_binding import early_bound
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
 from ecm_extract.link.running.named_classes import class_asked
@@ -149,8 +150,9 @@ class Objects:
         return ""
 
     def _is_type(self, name: str, file: File) -> bool:
-        known = self.program.seen_classes(name, file)
-        return bool(known) or (name[:1].isupper() and not self.program.seen_functions(name, file))
+        return bool(self.program.seen_classes(name, file)) or (
+            name[:1].isupper() and not self.program.seen_functions(name, file)
+        )
 
     def _returned(self, name: str, file: File) -> str:
         own = () if name.startswith("std::") else self.program.seen_functions(last_name(name), file)
@@ -224,7 +226,7 @@ class Objects:
             target = self.constructor(made.cls, len(call.args)) if call is not None else None
             if call is None or target is None or target is made.maker:
                 break
-            made = Instance(made.cls, bind(target, call, env.before(call.at)), made.types, target)
+            made = Instance(made.cls, bind(target, call, env.before(call.at)), made.types, target, made.exact)
         return made
 
     def may_run(self, func: Func, cls: Cls, call: Invocation) -> bool:
@@ -268,7 +270,7 @@ class Objects:
         asked = (place, call.path, call.receiver, call.args, call.keywords, call.types)
         known = self._callees.get(asked)
         if known is None:
-            known = self._callees[asked] = self._looked_up(call, env.deeper(0))
+            known = self._callees[asked] = early_bound(call, env, self) or self._looked_up(call, env.deeper(0))
         return known
 
     def _looked_up(self, call: Invocation, env: Env) -> Sequence[Func]:
@@ -277,16 +279,16 @@ class Objects:
             return self._methods_of_base(call, own)
         named = class_asked(call, self.program)
         if call.receiver is not None:
-            return self._methods(call, self.class_of(call.receiver, env.before(env.at)) or named)
-        return self._methods(call, named or self._class_at_hand(call, env)) or self._free(call, env)
+            return self.methods(call, self.class_of(call.receiver, env.before(env.at)) or named)
+        return self.methods(call, named or self._class_at_hand(call, env)) or self._free(call, env)
 
     def _methods_of_base(self, call: Invocation, own: Cls) -> Sequence[Func]:
         """`super().name()` means that of the first base, `Base.name(self)` that of the named one."""
         written = call.receiver.args[0] if isinstance(call.receiver, Call) and call.receiver.args else None
         if not isinstance(written, Text):
-            return self._methods(call, next(iter(self.program.bases(own)), None))
+            return self.methods(call, next(iter(self.program.bases(own)), None))
         named = self.program.class_named(plain(written.value), call.func.file, call.func.scope)
-        found = self._methods(call, named)
+        found = self.methods(call, named)
         return [func for func in found if "static" not in func.fact.traits]  # that is given the object in its place
 
     def _class_at_hand(self, call: Invocation, env: Env) -> Cls | None:
@@ -297,8 +299,8 @@ class Objects:
             return owner
         return next((entry for entry in self.program.ancestry(owner) if entry.fact.name == qualifier), None)
 
-    def _methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
-        """The methods of an object's class, or else of its nearest base, that fit a call."""
+    def methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
+        """Return the methods of an object's class, or else of its nearest base, that fit a call."""
         owners, name = self.program.ancestry(cls) if cls is not None else (), call.last
         found = (_fitting(call, [func for func in owner.methods if func.fact.name == name]) for owner in owners)
         return next((funcs for funcs in found if funcs), ())
@@ -320,11 +322,6 @@ def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
 def _has_body(func: Func) -> bool:
     """Whether it is seen what a function does, be it nothing."""
     return bool(func.fact.body) or not {"declaration", "pure", "deleted"} & set(func.fact.traits)
-
-
-def is_super(receiver: Expr | None) -> bool:
-    """`super()`, or `super(Class, self)`."""
-    return isinstance(receiver, Call) and receiver.callee == Name("super")
 
 
 def _calls_super(call: Call, parent: Cls) -> bool:

@@ -8,10 +8,10 @@ from ecm_parsers.source.expr import THIS, Call
 
 from ecm_extract.infer.effects import calls_of
 from ecm_extract.link.code.handing_on import hands_on
+from ecm_extract.link.code.own import is_super
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.env import Env, invocation_of
-from ecm_extract.link.running.objects import is_super
 
 
 class OwnCalls:

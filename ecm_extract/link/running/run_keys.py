@@ -66,8 +66,9 @@ class RunKeys:
         return env.at, self.of(env, depth + 1)
 
     def _made(self, made: Instance | None, depth: int) -> Hashable:
-        if made is None or not (made.args or made.types or made.maker):
+        if made is None or not made.is_one:
             return None
         if depth >= MAX_KEY:
             return made
-        return self._key((made.cls, made.maker, self._all_bound(made.args, depth + 1), tuple(made.types.items())))
+        given = self._all_bound(made.args, depth + 1)
+        return self._key((made.cls, made.maker, given, tuple(made.types.items()), made.exact))

@@ -29,7 +29,8 @@ class Statement(_Fact, frozen=True):
         line: 1-based.
         value: the expression; None for a declaration without a value.
         target: what is bound (`let`, `set`, `init`, `each`).
-        type: declared type as written (`let` and `each` in C++, annotated Python); of `x += y` in Python the operator.
+        type: declared type as written (`let` and `each` in C++, annotated Python); of `x += y` in Python the operator,
+            of what a function yields `yield` or `yield from`.
         depth: how many conditions and loops enclose it; `Function.flow` says which.
         deferred: it stands in an anonymous lambda, which runs when somebody calls it.
         kept: it declares a variable of C++ that keeps what it holds from one call to the next (`static`).
@@ -65,7 +66,8 @@ class Function(_Fact, frozen=True):
         body: its statements, those of its anonymous lambdas included; empty for a declaration.
         template: names of template parameters.
         traits: of `declaration`, `static`, `virtual`, `override`, `pure`, `deleted`, `private`, `protected`,
-            `anonymous` (namespace), `deprecated`, `const`, `generator`, `coroutine`, `reference` (it returns one,
+            `anonymous` (namespace), `deprecated`, `const`, `generator`, `receiving` (one that uses what it is
+            sent), `coroutine`, `reference` (it returns one,
             or a pointer, to what may be changed).
         decorators: Python decorators or C++ attributes, as written.
         flow: how the statements of its body follow each other; empty where they simply do.

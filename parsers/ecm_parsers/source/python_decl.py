@@ -77,6 +77,8 @@ def _ways_to_run(node: Node, frame: Frame) -> Iterator[str]:
     """How a body runs that does not when it is called."""
     if frame.yields:
         yield "generator"
+    if frame.yields > frame.unanswered:
+        yield "receiving"
     if any(child.type == "async" for child in node.children):
         yield "coroutine"
 

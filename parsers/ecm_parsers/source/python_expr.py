@@ -239,8 +239,8 @@ def _conditional(scan: Scan, node: Node) -> Expr:
 
 
 def _yielded(scan: Scan, node: Node) -> Expr:
-    scan.frame.yields |= scan.frame.lambdas == 0
-    return _inner(scan, node)
+    scan.frame.yields += scan.frame.lambdas == 0
+    return Op("yield", (_inner(scan, node),))
 
 
 def _inner(scan: Scan, node: Node) -> Expr:

@@ -10,7 +10,7 @@ from typing import Literal, TypeAlias
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import THIS, Expr, Member, Name, Number, Opaque, Text
+from ecm_parsers.source.expr import THIS, Expr, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Class, Constant, Field, Function, Import, Statement, StatementKind
 from ecm_parsers.source.flow import Block, FlowWriter
 
@@ -40,7 +40,7 @@ class Frame:
         fields: of the class being read, also in its `__init__`; None elsewhere.
         owner: the class as an expression, in a class body. bases: its bases as written, also in its methods.
         depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
-            attempts: how many `try`. yields: whether a call of it gives what it yields, one after the other.
+            attempts: how many `try`. yields: how many `yield`, whose answers all but `unanswered` use.
     """
 
     __slots__ = (
@@ -57,6 +57,7 @@ class Frame:
         "place",
         "scope",
         "shared",
+        "unanswered",
         "yields",
     )
 
@@ -81,7 +82,8 @@ class Frame:
         self.depth = 0
         self.lambdas = 0
         self.attempts = 0
-        self.yields = False
+        self.yields = 0
+        self.unanswered = 0
 
 
 class Scan:
@@ -172,8 +174,18 @@ class Scan:
 
     def do(self, node: Node) -> None:
         """Emit an expression as a statement if it calls anything; one that yields is read in any case."""
-        if node.type == "yield" or self.data.find(b"(", node.start_byte, node.end_byte) >= 0:
+        if node.type == "yield":
+            self._yielded(node)
+        elif self.data.find(b"(", node.start_byte, node.end_byte) >= 0:
             self.done(node)
+
+    def _yielded(self, node: Node) -> None:
+        """Emit what a function gives to one who asks, of which it does not use the answer."""
+        self.frame.unanswered += 1
+        value = self.expr(node)
+        given = value.operands[0] if isinstance(value, Op) and value.op == "yield" else value
+        kept = any(self.raw(child) == b"from" for child in node.children)
+        self.emit("do", node, given, type_="yield from" if kept else "yield")
 
     def done(self, node: Node) -> Expr:
         """Read an expression once, and emit it as a statement if it calls anything."""

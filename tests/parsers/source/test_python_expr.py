@@ -129,7 +129,7 @@ def test_number_or_constant_is_read_in_every_python_form(source: str, expected: 
         ("(a)", A),
         ("[*a]", Items((Op("*", (A,)),))),
         ("await a()", call("a")),
-        ("yield a", A),
+        ("yield a", Op("yield", (A,))),
         ("not a", Op("!", (A,))),
         ("a and b or c", Op("||", (Op("&&", (A, B)), C))),
         ("a is not None", Op("!=", (A, NULL))),
