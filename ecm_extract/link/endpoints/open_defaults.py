@@ -46,7 +46,8 @@ class OpenDeclarations:
 
 
 def _declares(site: Site) -> bool:
-    return site.form.ros == 2 and not site.form.undeclared and not site.form.fallback
+    """Tell whether a line declares a parameter itself: of overloads of a helper it may not be the one that is meant."""
+    return site.form.ros == 2 and not site.form.undeclared and not site.form.fallback and not site.chain
 
 
 def _gives_something(site: Site) -> bool:

@@ -46,7 +46,7 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
             bound[parameter.name] = rest[0]
             rest = rest[1:]
     bound |= {name: value for name, value in given.named.items() if name in own}
-    more = given.rest or given.table
+    more = _open(given.rest) if given.rest is not None else given.table
     if more is not None:
         for parameter in callee.params:
             bound.setdefault(parameter.name.lstrip("*"), more)
@@ -99,7 +99,7 @@ def _with_argument(found: _Given, arg: Bound) -> _Given:
         return found
     spread = _shown(Bound(arg.expr.operands[0], arg.env))
     if not isinstance(spread.expr, Items):
-        return found._replace(rest=_open(spread))
+        return found._replace(rest=spread)
     for item in spread.expr.items:
         found = _with_argument(found, Bound(item, spread.env))
     return found
@@ -144,9 +144,15 @@ def _open(value: Bound) -> Bound:
     return Bound(Opaque(SPREAD) if unknown else value.expr, value.env.entry())
 
 
+def _stays_open(value: Bound) -> Bound:
+    """What the function at hand is given beyond its parameters, as it begins; anything else as it is at its place."""
+    opened = _open(value)
+    return value if isinstance(opened.expr, Opaque) else opened
+
+
 def _in_order(given: _Given, rest: list[Bound], env: Env) -> Bound:
     """The list of arguments that no parameter stands for."""
-    more = [given.rest] if given.rest is not None else []
+    more = [_stays_open(given.rest)] if given.rest is not None else []
     names, place = _at_one_place([*rest, *more], env)
     return Bound(Items((*names[: len(rest)], *[Op("*", (each,)) for each in names[len(rest) :]])), place)
 
