@@ -28,7 +28,9 @@ def _keeping(scan: Scan, node: Node, target: Expr, value: Call) -> Call:
     args = [_kept(scan, node, _part(target, str(at)), arg) for at, arg in enumerate(value.args[1:])]
     keywords = [(name, _kept(scan, node, _part(target, name), each)) for name, each in value.keywords if name != "**"]
     tables = [(name, _table(scan, node, _part(target, name), each)) for name, each in value.keywords if name == "**"]
-    return Call(value.callee, (value.args[0], *args), (*keywords, *tables), value.types, value.line)
+    named = sorted(zip(value.keywords, value.keyword_lines, strict=True), key=lambda each: each[0][0] == "**")
+    lines = tuple([line for _, line in named])
+    return Call(value.callee, (value.args[0], *args), (*keywords, *tables), value.types, value.line, lines)
 
 
 def _kept(scan: Scan, node: Node, target: Expr, value: Expr) -> Expr:
