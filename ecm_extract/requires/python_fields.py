@@ -10,6 +10,7 @@ from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Function
 
+from ecm_extract.link.code.full_names import full_name
 from ecm_extract.link.code.units import File
 from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.requires.place import Place, required
@@ -64,9 +65,7 @@ class _Reader:
 
     def _written(self, text: str) -> str:
         """`pkg.msg.T` or `pkg.srv.T.Request` for a type as written; empty for what is no message."""
-        head, _, rest = text.partition(".")
-        target = self._file.imported.get(head, "")
-        full = f"{target}.{rest}".rstrip(".") if target else ""
+        full = full_name(text, self._file.imported)
         return full if _is_message(full) and full.rpartition(".")[2][:1].isupper() else ""
 
     def touched(self) -> Iterator[_Touched]:

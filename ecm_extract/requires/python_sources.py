@@ -9,6 +9,7 @@ from ecm_checker.hub.requirement import ONE_VALUE, Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Function, Import, Statement
 
+from ecm_extract.link.code.full_names import full_name
 from ecm_extract.link.code.tuples import count_of
 from ecm_extract.link.code.units import File
 from ecm_extract.link.code.walk import dotted, expressions
@@ -73,19 +74,13 @@ def _attribute(file: File, expr: Expr, line: int) -> Iterator[Requirement]:
     written = dotted(expr) if isinstance(expr, Member) else None
     if written is None:
         return
-    full = _meant(file, written)
+    full = full_name(written, file.imported)
     if full:
         yield required("uses_name", full, _place(file, line), said=written)
 
 
-def _meant(file: File, written: str) -> str:
-    """The dotted name that a written one means by an import; empty for what no import binds."""
-    head, _, rest = written.partition(".")
-    return f"{file.imported[head]}.{rest}".rstrip(".") if head in file.imported else ""
-
-
 def _keywords(file: File, call: Call, line: int) -> Iterator[Requirement]:
-    full = _meant(file, dotted(call.callee) or "")
+    full = full_name(dotted(call.callee) or "", file.imported)
     if full:
         for (word, _), at in zip(call.keywords, call.keyword_lines, strict=True):
             if word != SPREAD:
@@ -94,7 +89,7 @@ def _keywords(file: File, call: Call, line: int) -> Iterator[Requirement]:
 
 def _call(file: File, call: Call, line: int) -> Iterator[Requirement]:
     """A call by an imported name with arguments that can be told: `**rest` may give any."""
-    full = _meant(file, dotted(call.callee) or "")
+    full = full_name(dotted(call.callee) or "", file.imported)
     names = tuple(word for word, _ in call.keywords)
     if full and SPREAD not in names:
         given = Given(count=len(call.args), names=names)
@@ -108,7 +103,7 @@ def _result(file: File, statement: Statement, parted: frozenset[str]) -> Iterato
         return
     takes = _taken(statement.target, parted)
     written = dotted(call.callee) or ""
-    full = _meant(file, written)
+    full = full_name(written, file.imported)
     last = call.callee.name if isinstance(call.callee, Member) else ""
     if takes and (full or last):
         said = f"{takes} from {written or last}()"

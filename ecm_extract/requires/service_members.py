@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Function
 
+from ecm_extract.link.code.full_names import full_name
 from ecm_extract.link.code.units import File
 from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.read.facts import PackageFacts
@@ -103,8 +104,6 @@ def _written(text: str, file: File, services: set[str]) -> Typed | None:
 
 
 def _python(text: str, file: File, services: set[str]) -> Typed | None:
-    head, _, rest = text.partition(".")
-    full = f"{file.imported.get(head, head)}.{rest}" if rest else file.imported.get(head, head)
-    match = _PYTHON_PART.fullmatch(full)
+    match = _PYTHON_PART.fullmatch(full_name(text, file.imported) or text)
     name = match["name"].replace(".", "/") if match is not None else ""
     return (name, match["part"].lower()) if match is not None and name in services else None

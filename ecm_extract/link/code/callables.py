@@ -13,8 +13,9 @@ from typing import Final, NamedTuple
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Table, Text
 from ecm_parsers.source.facts import Function, Statement
 
+from ecm_extract.link.code.full_names import full_name
 from ecm_extract.link.code.left_alone import reads_only
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import children, dotted
 
 MAX_NAMES: Final = 8
 """Names that stand for one another."""
@@ -74,7 +75,7 @@ def callable_of(value: Expr | None, imported: Mapping[str, str]) -> Expr | None:
         and isinstance(value.args[1], Text)
     ):
         return Member(value.args[0], value.args[1].value) if object_of(value.args[0]) else None
-    return value if value.args and _path(value.callee, imported) == _PARTIAL else None
+    return value if value.args and full_name(dotted(value.callee) or "", imported) == _PARTIAL else None
 
 
 def held_callables(function: Function, imported: Mapping[str, str]) -> Mapping[str, Expr]:
@@ -173,14 +174,6 @@ def _subscript(expr: Call | Op) -> tuple[Expr | None, Expr | None]:
 
 def _name_of(value: Expr) -> Name | None:
     return value if isinstance(value, Name) else None
-
-
-def _path(callee: Expr, imported: Mapping[str, str]) -> str:
-    if isinstance(callee, Name):
-        return imported.get(callee.id, "")
-    base = callee.base if isinstance(callee, Member) else None
-    module = imported.get(base.id, "") if isinstance(base, Name) else ""
-    return f"{module}.{callee.name}" if module and isinstance(callee, Member) else ""
 
 
 def _names(target: Expr | None) -> Iterator[str]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
+from ecm_extract.link.code.full_names import full_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.shipped import shipped_names
 
@@ -53,6 +54,5 @@ def _names(func: Func) -> Iterator[str]:
     for decorator in func.fact.decorators:
         written = decorator.partition("(")[0].strip()
         head, _, rest = written.partition(".")
-        target = func.file.imported.get(head, head)
         is_property = head == func.fact.name and rest in _OF_PROPERTIES
-        yield "property" if is_property else f"{target}.{rest}" if rest else target
+        yield "property" if is_property else full_name(written, func.file.imported) or written

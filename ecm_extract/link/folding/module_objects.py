@@ -48,5 +48,5 @@ class ModuleObjects:
 
     def _may_have(self, func: Func, cls: Cls) -> bool:
         """Whether a function can come by an object of a class: one of their packages sees the other."""
-        sight, one, other = self.folder.program.sight, func.file.package, cls.file.package
-        return other in sight.of(one) or one in sight.of(other)
+        sees = self.folder.program.sees
+        return sees(func.file, cls.file) or sees(cls.file, func.file)

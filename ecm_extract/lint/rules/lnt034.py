@@ -8,6 +8,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Call, Text
 
+from ecm_extract.link.code.full_names import full_name
 from ecm_extract.link.code.units import File
 from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.lint.rule import LintRule
@@ -56,8 +57,7 @@ def _of(file: File) -> Iterator[Finding]:
 
 
 def _is_publisher(call: Call, file: File) -> bool:
-    head, _, rest = (dotted(call.callee) or "").partition(".")
-    full = file.imported.get(head, "") + (f".{rest}" if rest else "")
+    full = full_name(dotted(call.callee) or "", file.imported)
     return full == "rospy.Publisher" and len(call.args) + len(call.keywords) > 1
 
 
