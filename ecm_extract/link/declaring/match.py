@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import reduce
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Opaque
+from ecm_parsers.source.expr import THIS, Call, Constant, Expr, Lambda, Member, Name, Number, Op, Opaque
 
 from ecm_extract.link.code.calls import Invocation, invocations, placed_arguments, spreads, unseen_argument
 from ecm_extract.link.code.spelling import by_value, last_name, plain, pointee
@@ -98,7 +98,7 @@ class Matcher:
 
     def _receiver(self, form: Form, call: Invocation, env: Env) -> bool:
         """Whether the object is of a class of the row; of one of unknown type what is done with it tells that."""
-        if call.receiver is None or call.receiver == Name("this"):
+        if call.receiver is None or call.receiver == THIS:
             return self._derives(form, call)
         written = self.folder.objects.type_of(call.receiver, env)
         if not written:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Opaque, Text
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
 from msgspec.structs import replace
 
@@ -34,7 +34,7 @@ def prefixed(call: Invocation, form: Form) -> Invocation:
 def _before(call: Invocation, form: Form) -> Expr | None:
     """What stands before the names of a call: a member of its object, or what that was told."""
     if form.below:
-        return Op("+", (Member(call.receiver or Name("this"), form.below), Text(".")))
+        return Op("+", (Member(call.receiver or THIS, form.below), Text(".")))
     return _prefix(call, form.prefix) if call.receiver is not None else None
 
 

@@ -7,7 +7,7 @@ from functools import cache
 from typing import Final, NamedTuple
 
 import msgspec
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Text
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
@@ -89,7 +89,7 @@ def _read_for(expr: Expr) -> Call | None:
 
 
 def _node(receiver: Expr | None) -> Expr:
-    return receiver or Name("this")
+    return receiver or THIS
 
 
 def _kinds(call: Invocation) -> Iterator[str | None]:
