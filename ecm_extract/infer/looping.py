@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ecm_parsers.source.flow import Loop
+from ecm_parsers.source.expr import Constant, Number
+from ecm_parsers.source.flow import Leave, Loop, statements, steps
 
 from ecm_extract.infer.assigning import Assigning
 from ecm_extract.infer.branching import Blocks
@@ -53,14 +54,13 @@ class Looping:
 
     def _round(self, loop: Loop, state: State) -> State | None:
         """Run the body once; what comes after a way out that may have been taken is not certain any more."""
-        before = self.exits.broken() + self.exits.ways_out
+        before = self._left()
         self.frame.rounds += 1
         after = self.blocks.run(loop.body, state)
         after = joined_states([after, *self.exits.next_round()])
         after = self.blocks.run(loop.step, after) if after is not None else None
         self.frame.rounds -= 1
-        left = self.exits.broken() + self.exits.ways_out > before
-        return self.frame.undecided(after) if after is not None and left else after
+        return self.frame.undecided(after) if after is not None and self._left() > before else after
 
     def _exit(self, loop: Loop, state: State | None) -> State | None:
         broken = self.exits.end_loop()
@@ -68,8 +68,10 @@ class Looping:
         return joined_states([*broken, state])
 
     def _while(self, loop: Loop, state: State) -> State | None:
-        """Run rounds while the condition is decided."""
+        """Run rounds while the condition is decided; one that never ends by it, while it is decided what ends it."""
         assert loop.test is not None
+        if self._runs_forever(loop):
+            return self._blur(loop, state)
         self.exits.enter_loop()
         current = state
         for count in range(MAX_ROUNDS + 1):
@@ -80,11 +82,25 @@ class Looping:
                 return self._exit(loop, current)
             if holds is None or count == MAX_ROUNDS or self.frame.steps > MAX_STEPS:
                 return self._exit(loop, self._blur(loop, current))
+            before = self._left()
             after = self._round(loop, current)
             if after is None:
                 return self._exit(loop, None)
             current = after
+            if _is_endless(loop) and self._left() > before:
+                return self._exit(loop, self._blur(loop, current))
         return self._exit(loop, current)
+
+    def _left(self) -> int:
+        """How many ways out of the loop at hand were found so far."""
+        return self.exits.broken() + self.exits.ways_out
+
+    def _runs_forever(self, loop: Loop) -> bool:
+        """Whether nothing in a loop ends it: no round tells more than any."""
+        ends = any(isinstance(step, Leave) and step.how != "continue" for step in steps(loop.body))
+        return _is_endless(loop) and not (
+            ends or any(self.frame.body[at].kind == "return" for at in statements(loop.body))
+        )
 
     def _blur(self, loop: Loop, state: State) -> State | None:
         """Run the body once with what it changes unknown, which stands for any number of rounds."""
@@ -113,3 +129,8 @@ class Looping:
         if len(ways) <= MAX_WAYS and head.name not in self.memory.escaped:
             head.how, head.before = "looped", ways
             head.settled.clear()
+
+
+def _is_endless(loop: Loop) -> bool:
+    """Whether what a loop asks is the same in all rounds: `while True`."""
+    return isinstance(loop.test, Constant | Number)

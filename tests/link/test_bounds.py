@@ -122,3 +122,65 @@ if __name__ == "__main__":
 """
     workspace.package({"scripts/chat.py": source}, ros=1)
     assert "/upload" in {entry.name for entry in workspace.interfaces()}
+
+
+_ENDLESS = """
+import rospy
+from std_msgs.msg import String
+def main():
+    rospy.init_node("n")
+    count = 0
+    while True:
+        count += 1
+        {body}
+        rospy.Publisher("topic%d" % count, String, queue_size=1)
+main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "told"),
+    [
+        ("rospy.sleep(1)", {"/topic1", "/topic{count}"}),
+        ("if rospy.get_time() > 3: break", {"/topic1", "/topic2", "/topic{count}"}),
+        ("if count == 3: break", {"/topic1", "/topic2"}),
+    ],
+)
+def test_an_endless_loop_is_run_while_it_is_known_what_ends_it(workspace: Any, body: str, told: set[str]) -> None:
+    """Rounds of `while True` tell nothing new when nothing ends the loop, or nobody knows when that happens."""
+    workspace.package({"scripts/n.py": _ENDLESS.format(body=body)}, ros=1)
+    assert {entry.name for entry in workspace.interfaces() if entry.role == "publisher"} == told
+
+
+_DATA = """
+import rospy
+from std_msgs.msg import String
+class Data:
+    def work(self, size):
+        found = []
+        for i in range(60):
+            for k in range(60):
+                found.append(i * k + size + len(found))
+        return found
+    def ask(self):
+{asked}
+    def __init__(self):
+        rospy.init_node("n")
+        rospy.Publisher("a" + "b", String, queue_size=1)
+        self.ask()
+Data()
+"""
+
+
+def test_a_function_that_works_on_data_costs_the_others_nothing(workspace: Any) -> None:
+    """What one function may take is bounded and told, whatever it is handed; names elsewhere are computed as before."""
+    asked = "".join(
+        f'        if self.work({size})[3] == 4:\n            rospy.Publisher("s{size}", String)\n' for size in range(40)
+    )
+    workspace.package({"scripts/n.py": _DATA.format(asked=asked)}, ros=1)
+    found = extract(open_tree(workspace.root), Options(jobs=1))
+    interfaces = [
+        each for package in found.packages for module in package.modules for each in module.signature.interfaces
+    ]
+    assert {"/ab", "/s0", "/s39"} <= {entry.name for entry in interfaces}
+    assert [entry.line for entry in found.diagnostics if entry.code == "values-left-out"] == [5]

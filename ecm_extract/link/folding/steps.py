@@ -1,16 +1,23 @@
-"""How much is evaluated: bounds for one question and for a whole run, and where they were hit."""
+"""How much is evaluated: bounds for one question, for one function and for all, and where they were hit."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Final
 
+from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env
 from ecm_extract.tree import FileDiagnostic
 
-MAX_QUESTION: Final = 5_000
+MAX_QUESTION: Final = 1_500
 """Evaluations for one name, type or profile; the most that one took in 65 public repositories was 331."""
+MAX_FUNCTION: Final = 20_000
+"""Statements and evaluations in the runs of one function, whatever it is handed: the most evaluations that one took in
+25 public repositories are 14,000. One that works on data may take a hundred times as many, which tell no names."""
+PER_RUN: Final = 50
+"""What a function has beyond those for each run, so that one that everybody calls is not cut off."""
 LEAST_RUN: Final = 2_000_000
 """Evaluations that any run has; those 65 repositories took 90,000 together."""
 MAX_PER_STATEMENT: Final = 40
@@ -35,6 +42,8 @@ class Steps:
         self._left = max(LEAST_RUN, MAX_PER_STATEMENT * statements)
         self._spent = 0
         self._asked: Env | None = None
+        self._runs: list[Func] = []
+        self._taken: Counter[Func] = Counter()
         self._cut: dict[tuple[str, int], None] = {}
 
     def take(self, env: Env) -> bool:
@@ -43,6 +52,8 @@ class Steps:
             self._spent, self._asked = 0, env
         self._spent += 1
         self._left -= 1
+        if not self._may_run_on():
+            return False
         if self._spent <= MAX_QUESTION and self._left >= 0:
             return True
         self._cut[_place(self._asked or env)] = None
@@ -51,6 +62,24 @@ class Steps:
     def leave_out(self, env: Env) -> None:
         """Remember a place whose values are not all computed; within a question it is the place that asked."""
         self._cut[_place(self._asked if self.depth and self._asked is not None else env)] = None
+
+    def _may_run_on(self) -> bool:
+        """Count an evaluation for the function that is run, and tell whether it has one left."""
+        if not self._runs:
+            return True
+        self._taken[self._runs[-1]] += 1
+        return not self.is_spent(self._runs[-1])
+
+    def is_spent(self, func: Func) -> bool:
+        """Tell whether the runs of a function took all that it has; such a function is remembered."""
+        spent = self._taken[func] > MAX_FUNCTION
+        if spent:
+            self._cut[func.file.path, func.fact.line] = None
+        return spent
+
+    def count(self, func: Func, statements: int) -> None:
+        """Note how many statements a run of a function took."""
+        self._taken[func] += statements
 
     def __enter__(self) -> None:
         self.depth += 1
@@ -67,6 +96,17 @@ class Steps:
             yield
         finally:
             self.depth, self._spent, self._asked = depth, spent, asked
+
+    @contextmanager
+    def within(self, func: Func) -> Iterator[None]:
+        """Within it, a function is run, for which each evaluation counts."""
+        self._runs.append(func)
+        self._taken[func] -= PER_RUN
+        try:
+            with self.apart():
+                yield
+        finally:
+            self._runs.pop()
 
     def left_out(self) -> tuple[FileDiagnostic, ...]:
         """Return what is to be told of places whose values were not computed to the end."""

@@ -114,8 +114,10 @@ class Flow:
         self._running[key] = env.func
         run: Run | None = None
         try:
-            with self.folder.faults.of(env.func), self.folder.steps.apart():
-                run = Interpreter(env.entry(State()), self, whole).result()
+            with self.folder.faults.of(env.func), self.folder.steps.within(env.func):
+                interpreter = Interpreter(env.entry(State()), self, whole and not self.folder.steps.is_spent(env.func))
+                run = interpreter.result()
+                self.folder.steps.count(env.func, interpreter.frame.steps)
         finally:
             del self._running[key]
         return run
