@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import NamedTuple, TypeAlias
 
 from ecm_extract.infer.bare_names import shared_names
@@ -24,7 +24,7 @@ class _Content(NamedTuple):
     """
 
     keys: frozenset[str]
-    elsewhere: frozenset[tuple[str, tuple[Held, ...]]]
+    elsewhere: Mapping[str, frozenset[Held]]
     open: frozenset[Held]
 
 
@@ -62,7 +62,8 @@ class Consisting:
             content = self._content(node)
             yield from content.keys
             yield from content.open
-            yield from (held for key, there in content.elsewhere if key not in state.holds for held in there)
+            for key, there in content.elsewhere.items():
+                yield from there if key not in state.holds else ()
 
     def _content(self, held: Held) -> _Content:
         known = self._contents.get(held)
@@ -81,11 +82,13 @@ class Consisting:
         exprs = (*shared_names(held.expr), *shared_names(held.more))
         keys = frozenset([self.effects.key(expr) for expr in exprs]) - {""}
         there = held.env.state.holds if held.env is not None and held.env.state is not None else {}
-        own = frozenset([(key, there[key]) for key in keys if key in there])
         known = [self._contents[each] for each in before]
+        elsewhere = {key: frozenset(there[key]) for key in keys if key in there}
+        for key, found in ((key, found) for each in known for key, found in each.elsewhere.items()):
+            elsewhere[key] = elsewhere[key] | found if key in elsewhere else found
         return _Content(
             keys.union(*[each.keys for each in known]),
-            own.union(*[each.elsewhere for each in known]),
+            elsewhere,
             frozenset(filter(_is_open, _before(held))).union(*[each.open for each in known]),
         )
 
