@@ -120,11 +120,13 @@ def meet(snapshots: list[Snapshot], outside: Callable[[str], bool]) -> list[Scop
 
 
 def _meet(scopes: list[Scope], has_default: bool, outside: Callable[[str], bool]) -> Scope:
-    names = dict.fromkeys(name for scope in scopes for name in scope)
-    return {
-        name: joined([scope.get(name) or Value((None,), not outside(name)) for scope in scopes], has_default)
-        for name in names
-    }
+    first, *others = scopes
+    met = dict(first)
+    for name in dict.fromkeys(name for scope in scopes for name in scope):
+        kept = first.get(name)
+        if kept is None or any(scope.get(name) is not kept for scope in others):
+            met[name] = joined([scope.get(name) or Value((None,), not outside(name)) for scope in scopes], has_default)
+    return met
 
 
 def both(one: bool | None, other: bool | None) -> bool | None:

@@ -29,6 +29,7 @@ class GivenFields:
         self.folder = folder
         self._known: dict[tuple[str, Cls], bool] = {}
         self._read: dict[tuple[str, Cls], tuple[Value, ...]] = {}
+        self._written: dict[str, frozenset[str]] = {}
 
     def is_given(self, name: str, cls: Cls) -> bool:
         """Tell whether a field of some object of a class may not be what the class declares it with."""
@@ -117,9 +118,15 @@ class GivenFields:
 
     def is_reached_into(self, path: str) -> bool:
         """Tell whether somebody assigns `object.member.field`, of whatever object; `path` is `.member.field`."""
-        targets = (entry.statement.target for entry in self.folder.scope.assigned_outside(last_name(path), "cpp"))
-        written = (dotted_name(target) for target in targets if target is not None)
-        return any(name.endswith(path) for name in written)
+        return any(name.endswith(path) for name in self._assigned_as(last_name(path)))
+
+    def _assigned_as(self, name: str) -> frozenset[str]:
+        """How fields of one name are written where they are assigned."""
+        known = self._written.get(name)
+        if known is None:
+            targets = (entry.statement.target for entry in self.folder.scope.assigned_outside(name, "cpp"))
+            known = self._written[name] = frozenset(dotted_name(each) for each in targets if each is not None)
+        return known
 
     def _is_of(self, entry: Definition, cls: Cls) -> bool:
         target = entry.statement.target
