@@ -55,7 +55,7 @@ class Interpreter:
         """Run the function from its beginning."""
         run = self.frame.run
         end = self.run(self.frame.outline.block, State())
-        run.end = joined_states([*self.exits.left, end])
+        run.end, run.steps = joined_states([*self.exits.left, end]), self.frame.steps
         return run
 
     # --- blocks ------------------------------------------------------------------------------------------

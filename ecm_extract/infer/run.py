@@ -50,6 +50,7 @@ class Run:
         cut: whether a bound was hit.
         raised: the states in which it is surely left by an exception, if their routes are taken.
         risky: whether anything else in it may raise that nobody in it handles.
+        steps: how many statements were taken.
     """
 
     states: dict[int, list[State]] = field(default_factory=lambda: defaultdict(list))
@@ -60,6 +61,7 @@ class Run:
     cut: bool = False
     raised: list[Raised] = field(default_factory=list)
     risky: bool = False
+    steps: int = 0
 
 
 class Frame:

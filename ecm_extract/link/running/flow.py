@@ -111,13 +111,12 @@ class Flow:
             self._within = 0
 
     def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run | None:
-        self._running[key] = env.func
+        self._running[key], steps = env.func, self.folder.steps
         run: Run | None = None
         try:
-            with self.folder.faults.of(env.func), self.folder.steps.within(env.func):
-                interpreter = Interpreter(env.entry(State()), self, whole and not self.folder.steps.is_spent(env.func))
-                run = interpreter.result()
-                self.folder.steps.count(env.func, interpreter.frame.steps)
+            with self.folder.faults.of(env.func), steps.within(env.func):
+                run = Interpreter(env.entry(State()), self, whole and not steps.is_spent(env.func)).result()
+                steps.count(env.func, run.steps)
         finally:
             del self._running[key]
         return run
@@ -127,9 +126,8 @@ class Flow:
         if key in self._running or env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING:
             return False
         self._within += 1
-        if self._within > MAX_WITHIN:
-            return False
-        return sum(func is env.func for func in self._running.values()) < MAX_RECURSION
+        again = sum(func is env.func for func in self._running.values())
+        return self._within <= MAX_WITHIN and again < MAX_RECURSION
 
     def states(self, env: Env) -> Sequence[State]:
         """Return the states in which a place is reached; none where nothing is known of it."""
