@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import NamedTuple, TypeAlias
+from collections.abc import Collection, Iterable, Iterator, Mapping, Set
+from typing import NamedTuple
 
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, all_ways
 
-_Node: TypeAlias = str | Held
-"""A variable, by its key (see `places`), or a thing."""
-
 
 class _Content(NamedTuple):
-    """What one thing is made of.
+    """What a thing, or what a variable may hold, is made of.
 
     Attributes:
         keys: the variables that it names.
@@ -29,41 +26,71 @@ class _Content(NamedTuple):
 
 
 class Consisting:
-    """Finds it; what a thing was before is looked through once."""
+    """Finds it; what a thing was before is looked through once, and what a variable holds once until a loop ends."""
 
     def __init__(self, effects: Effects) -> None:
         self.effects = effects
         self._contents: dict[Held, _Content] = {}
+        self._of_ways: dict[Collection[Held], _Content] = {}
+
+    def loop_ended(self) -> None:
+        """Forget what was found of variables: what they held when a round of a loop began is known now."""
+        self._of_ways.clear()
 
     def named(self, keys: Iterable[str], state: State) -> set[str]:
         """Return variables with those that they are, or consist of, and what these consist of."""
-        return _closed(keys, lambda node: self._parts(node, state))
+        found, pending = set[str](), list(keys)
+        while pending:
+            key = pending.pop()
+            if key not in found:
+                found.add(key)
+                pending += self._parts(key, state)
+        return found
 
     def naming(self, keys: Iterable[str], state: State) -> set[str]:
         """Return variables with those that are one of them, or consist of one, and what consists of these."""
-        wholes = defaultdict[_Node, list[_Node]](list)
-        pending, seen = list[_Node](state.holds), set[_Node]()
+        wholes = defaultdict[str, list[str]](list)
+        for name in state.holds:
+            for part in self._parts(name, state):
+                wholes[part].append(name)
+        found, pending = set[str](), list(keys)
         while pending:
-            node = pending.pop()
-            if node not in seen:
-                seen.add(node)
-                for part in self._parts(node, state):
-                    wholes[part].append(node)
-                    pending.append(part)
-        return _closed(keys, lambda node: wholes.get(node, ()))
+            key = pending.pop()
+            if key not in found:
+                found.add(key)
+                pending += wholes.get(key, ())
+        return found
 
-    def _parts(self, node: _Node, state: State) -> Iterator[_Node]:
-        """What a variable may hold, or what a thing is made of; one that is bound elsewhere is what it holds there."""
-        if isinstance(node, str):
-            yield from state.holds.get(node, ())
-        elif _is_open(node):
-            yield from node.before
-        else:
-            content = self._content(node)
-            yield from content.keys
-            yield from content.open
-            for key, there in content.elsewhere.items():
-                yield from there if key not in state.holds else ()
+    def _parts(self, name: str, state: State) -> Set[str]:
+        """The variables that one consists of; of one that is bound elsewhere, what it holds there consists of."""
+        content = self._together(state.holds.get(name, ()))
+        pending = [there for key, there in content.elsewhere.items() if key not in state.holds]
+        if not pending:
+            return content.keys
+        keys, seen = set(content.keys), set[Collection[Held]]()
+        while pending:
+            there = pending.pop()
+            if there not in seen:
+                seen.add(there)
+                content = self._together(there)
+                keys |= content.keys
+                pending += [ways for key, ways in content.elsewhere.items() if key not in state.holds]
+        return keys
+
+    def _together(self, ways: Collection[Held]) -> _Content:
+        """What is held, as far as the rounds of loops have shown what it was before."""
+        known = self._of_ways.get(ways)
+        if known is None:
+            found, seen, pending = list[_Content](), set[Held](), list(ways)
+            while pending:
+                held = pending.pop()
+                if held not in seen:
+                    seen.add(held)
+                    content = None if _is_open(held) else self._content(held)
+                    found += [] if content is None else [content]
+                    pending += held.before if content is None else content.open
+            known = self._of_ways[ways] = _merged(found)
+        return known
 
     def _content(self, held: Held) -> _Content:
         known = self._contents.get(held)
@@ -82,27 +109,26 @@ class Consisting:
         exprs = (*shared_names(held.expr), *shared_names(held.more))
         keys = frozenset([self.effects.key(expr) for expr in exprs]) - {""}
         there = held.env.state.holds if held.env is not None and held.env.state is not None else {}
-        known = [self._contents[each] for each in before]
         elsewhere = {key: frozenset(there[key]) for key in keys if key in there}
-        for key, found in ((key, found) for each in known for key, found in each.elsewhere.items()):
-            elsewhere[key] = elsewhere[key] | found if key in elsewhere else found
-        return _Content(
-            keys.union(*[each.keys for each in known]),
-            elsewhere,
-            frozenset(filter(_is_open, _before(held))).union(*[each.open for each in known]),
-        )
+        own = _Content(keys, elsewhere, frozenset(filter(_is_open, _before(held))))
+        return _merged([own, *[self._contents[each] for each in before]])
 
 
-def _closed(keys: Iterable[str], following: Callable[[_Node], Iterable[_Node]]) -> set[str]:
-    """Return variables, and what follows from them, and from that."""
-    found: set[_Node] = set()
-    pending: list[_Node] = list(keys)
-    while pending:
-        node = pending.pop()
-        if node not in found:
-            found.add(node)
-            pending += following(node)
-    return {node for node in found if isinstance(node, str)}
+def _merged(contents: Iterable[_Content]) -> _Content:
+    """What several things are made of."""
+    found = list(contents)
+    if len(found) == 1:
+        return found[0]
+    elsewhere: dict[str, frozenset[Held]] = {}
+    for key, there in _all_elsewhere(found):
+        elsewhere[key] = elsewhere[key] | there if key in elsewhere else there
+    keys = frozenset[str]().union(*[each.keys for each in found])
+    return _Content(keys, elsewhere, frozenset[Held]().union(*[each.open for each in found]))
+
+
+def _all_elsewhere(contents: Iterable[_Content]) -> Iterator[tuple[str, frozenset[Held]]]:
+    for content in contents:
+        yield from content.elsewhere.items()
 
 
 def _is_open(held: Held) -> bool:

@@ -129,6 +129,7 @@ class Looping:
         if len(ways) <= MAX_WAYS and head.name not in self.memory.escaped:
             head.how, head.before = "looped", ways
             head.settled.clear()
+            self.memory.sharing.consisting.loop_ended()
 
 
 def _is_endless(loop: Loop) -> bool:
