@@ -24,6 +24,7 @@ from ecm_extract.discover import PackageRoot, discover
 from ecm_extract.errors import TreeReadError
 from ecm_extract.exclusion import Exclusion
 from ecm_extract.read import select
+from ecm_extract.read.absent_sources import report_absent
 from ecm_extract.read.build_files import read_cmake, read_setups
 from ecm_extract.read.cuts import located
 from ecm_extract.read.facts import PackageFacts
@@ -117,6 +118,7 @@ class Reader:
             for path in package.cmake:
                 self._count(path, len(self._contents.read(path) or b""), ())
             self._read_package(package)
+        report_absent(packages, build_files, self.tree)
         self._contents.drop()
 
     def _take_source(self, package: PackageFacts, path: str, content: BlobFacts) -> None:

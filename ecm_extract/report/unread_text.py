@@ -19,6 +19,7 @@ _WHAT: Final[Mapping[Reason, str]] = {
     "malformed": "package.xml that cannot be read as one",
     "unjudged": "file(s) beyond what one run of lint judges, or rule(s) or function(s) at which it stopped",
     "undecided": "file(s) that call macros of which a build chooses the definition",
+    "generated": "source(s) of programs or libraries that a build makes",
     "excluded": "pattern(s) of `exclude` in ecm.toml",
     "ignored": "folder(s) left out by COLCON_IGNORE, CATKIN_IGNORE or AMENT_IGNORE",
     "link": "link(s) that lead out of the tree",

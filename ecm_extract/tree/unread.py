@@ -17,12 +17,13 @@ Reason = Literal[
     "malformed",
     "unjudged",
     "undecided",
+    "generated",
     "excluded",
     "ignored",
     "link",
 ]
 """Why something was not read: not in this clone (content, submodule), above a bound, no permission, no well-formed
-manifest; beyond the number that one run judges, or at which it stopped; code that a build chooses; left out
+manifest; beyond the number that one run judges, or at which it stopped; code that a build chooses, or makes; left out
 because the project asks for it (`exclude`, a marker); a link that leads out of the tree."""
 
 REASONS: Final[tuple[Reason, ...]] = get_args(Reason)
