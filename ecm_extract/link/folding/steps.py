@@ -6,11 +6,15 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Final
 
+from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env
 from ecm_extract.tree import FileDiagnostic
 
 MAX_QUESTION: Final = 5_000
 """Evaluations for one name, type or profile; the most that one took in 65 public repositories was 331."""
+MAX_FUNCTION: Final = 100_000
+"""Evaluations for all that one function asks, so that one that never ends leaves the others theirs; the most that one
+of 35 public repositories took was 30,135, but for one that took all there were."""
 LEAST_RUN: Final = 2_000_000
 """Evaluations that any run has; those 65 repositories took 90,000 together."""
 MAX_PER_STATEMENT: Final = 40
@@ -35,18 +39,28 @@ class Steps:
         self._left = max(LEAST_RUN, MAX_PER_STATEMENT * statements)
         self._spent = 0
         self._asked: Env | None = None
+        self._apart = 0
+        self._taken: dict[Func, int] = {}
+        self._asker: Func | None = None
         self._cut: dict[tuple[str, int], None] = {}
 
     def take(self, env: Env) -> bool:
         """Tell whether one more evaluation may be made; a refusal is remembered with the place of its question."""
         if not self.depth:
-            self._spent, self._asked = 0, env
+            self._begin(env)
         self._spent += 1
         self._left -= 1
-        if self._spent <= MAX_QUESTION and self._left >= 0:
+        taken = self._taken[self._asker or env.func] = self._taken.get(self._asker or env.func, 0) + 1
+        if self._spent <= MAX_QUESTION and taken <= MAX_FUNCTION and self._left >= 0:
             return True
         self._cut[_place(self._asked or env)] = None
         return False
+
+    def _begin(self, env: Env) -> None:
+        """A question begins; what is asked apart while another one is answered is paid for by who asked that."""
+        self._spent, self._asked = 0, env
+        if not self._apart:
+            self._asker = env.func
 
     def leave_out(self, env: Env) -> None:
         """Remember a place whose values are not all computed; within a question it is the place that asked."""
@@ -63,9 +77,11 @@ class Steps:
         """Within it, each evaluation is a question of its own: a run of a function asks many."""
         depth, spent, asked = self.depth, self._spent, self._asked
         self.depth = 0
+        self._apart += 1
         try:
             yield
         finally:
+            self._apart -= 1
             self.depth, self._spent, self._asked = depth, spent, asked
 
     def left_out(self) -> tuple[FileDiagnostic, ...]:
