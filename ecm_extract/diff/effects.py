@@ -13,6 +13,7 @@ from ecm_checker.hub.provision import HOLE, Form, Provision
 from ecm_checker.release import ChangeWord
 
 from ecm_extract.diff.conversions import returns_as_well, takes
+from ecm_extract.diff.keyword_only import has_keyword_only, takes_keywords
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import words
 
@@ -194,7 +195,11 @@ def accepts(new: Form, old: Form) -> bool:
     count = len(old.types)
     if old.virtual and new.virtual:
         return new.types == old.types and new.returns == old.returns
-    if new.required > old.required or len(new.types) < count or _returns_otherwise(new, old):
+    if new.required > old.required or _returns_otherwise(new, old):
+        return False
+    if has_keyword_only(new) or has_keyword_only(old):
+        return takes_keywords(new, old)
+    if len(new.types) < count:
         return False
     if any(new.types[:count]) or any(old.types):
         return all(takes(after, before) for after, before in zip(new.types, old.types, strict=False))
