@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from ecm_checker.hub.provision import Form
+
 from ecm_extract.diff.conversions import takes
 
 
