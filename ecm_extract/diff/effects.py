@@ -90,6 +90,10 @@ def default_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Diff
         reason = f"default {old.default!r} is gone: a value must be given now"
         yield Difference("default_changed", True, reason, old_value=str(old.default))
         return
+    if new.needed and not new.when and old.default is not None:
+        reason = f"default {old.default!r} is gone: a node that is started without a value for it stops"
+        yield Difference("default_changed", True, reason, old_value=str(old.default))
+        return
     if old.default is None or new.default is None:
         return
     in_message = old.row.fixed and "/" in old.owner
@@ -265,6 +269,8 @@ def added_breaks(entity: Provision) -> str | None:
         return "a new field changes the layout: old and new sides of this type do not talk, bags need migration"
     if entity.row.duty and entity.default is None:
         return "a new argument without a default: whoever starts or includes the file must give it"
+    if entity.needed and not entity.when:
+        return "a new parameter without a default: a node that is started without a value for it stops"
     if any(form.pure for form in entity.forms):
         return "a new pure virtual method: classes that derive from it no longer build"
     return None

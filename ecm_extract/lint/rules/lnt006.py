@@ -102,7 +102,7 @@ def _program(node: SystemNode) -> _Program:
 
 
 def _may_be_of_library(remap: Remapping, node: SystemNode, workspace: Workspace) -> bool:
-    """Tell whether a class outside of the tree, from which a node derives or which it uses, has or may have the name."""
+    """Tell whether a class outside of the tree, which a node derives from or uses, has or may have the name."""
     if any(module.package not in workspace.by_name for module in node.modules):
         return True  # documents tell the bases of public classes only
     used = (workspace.by_name[module.package].sources.values() for module in node.modules)
