@@ -11,7 +11,7 @@ from ecm_extract.entities.side import Side
 
 
 def old_duties(added: Iterable[Provision], old: Side) -> frozenset[Key]:
-    """Return the keys of additions that ask nothing new: a base of elsewhere did before, or nobody ran what asks now."""
+    """Return the keys of additions that ask nothing new: a base of elsewhere did, or nobody ran what asks now."""
     listed = list(added)
     return _of_new_nodes(listed, old) | _asked_before(listed, old)
 
