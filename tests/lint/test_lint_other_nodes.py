@@ -49,3 +49,14 @@ def test_a_name_that_is_relative_elsewhere(workspace: Workspace, space: str, sev
 def _severities(workspace: Workspace, files: files_of.Files, rule: str) -> list[str]:
     found = lint(workspace.package(dict(files), ros=1).root)
     return [each.severity for each in found if each.rule == rule]
+
+
+@pytest.mark.parametrize(("second", "told"), [("gripper", 1), ("ab_node", 2)])
+def test_programs_that_went_together(workspace: Workspace, second: str, told: int) -> None:
+    """LNT003: what one launch file lacks is one cause; a name that nearly is one that is built is another."""
+    files = {
+        "src/aa_node.cpp": "int main() {}\n",
+        "CMakeLists.txt": files_of.CMAKE.format("aa_node"),
+        "launch/a.launch": files_of.launch(files_of.node("x", "other_program"), files_of.node("y", second)),
+    }
+    assert len(_severities(workspace, files, "LNT003")) == told
