@@ -62,6 +62,7 @@ class Interface(msgspec.Struct, frozen=True):
         evidence: the line that names it first, the outermost call of wrappers, then inwards; see the manual.
         inherited_from: class or package that brings it, when not the module itself.
         when: conditions under which it is made, as far as they are known; all of them hold then.
+        needed: of a parameter, whether the module stops where nobody sets it.
     """
 
     role: Role
@@ -75,6 +76,7 @@ class Interface(msgspec.Struct, frozen=True):
     default: Any = None
     inherited_from: str | None = None
     when: tuple[Condition, ...] = ()
+    needed: bool = False
 
     @property
     def row(self) -> RoleKind:

@@ -3,7 +3,7 @@
 What is written when a value is not known:
 
 - Identity (`ecm`) and interface keys are always there, null when not known. `default` is there for parameters
-  only, `inherited_from` and `when` only when set.
+  only, `inherited_from`, `when` and `needed` only when set.
 - A policy of `qos` that is not known is absent.
 - A field of a section that nothing declares is absent; the required ones among them are named in
   `ecm.missing`. An empty list is something else: an artefact shows that there is none.
@@ -14,7 +14,7 @@ What JSON cannot hold (NaN, infinities, huge integers, lone surrogates) is writt
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from typing import Any, Final, TypeAlias
 
 import msgspec
 
@@ -25,6 +25,7 @@ from ecm_checker.wire import MANIFEST_SCHEMA, Ecm, Module
 
 Plain: TypeAlias = dict[str, Any]
 
+_WHERE_SET: Final = frozenset({"when", "needed"})
 _SECTIONS = ("signature", "behavior", "resources", "permissions", "recovery", "versioning")
 
 
@@ -71,4 +72,4 @@ def _section(section: msgspec.Struct) -> Plain:
 def _without_unset(interface: Plain) -> Plain:
     absent = {"inherited_from"} if roles()[interface["role"]].value else {"inherited_from", "default"}
     told = {key: value for key, value in interface.items() if value is not None or key not in absent}
-    return told if told["when"] else {key: value for key, value in told.items() if key != "when"}
+    return {key: value for key, value in told.items() if value or key not in _WHERE_SET}

@@ -13,6 +13,7 @@ from ecm_checker.hub.provision import HOLE, Form, Provision
 from ecm_checker.release import ChangeWord
 
 from ecm_extract.diff.conversions import returns_as_well, takes
+from ecm_extract.diff.keyword_only import has_keyword_only, takes_keywords
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import words
 
@@ -87,6 +88,10 @@ def default_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Diff
         return
     if old.row.duty and new.default is None:
         reason = f"default {old.default!r} is gone: a value must be given now"
+        yield Difference("default_changed", True, reason, old_value=str(old.default))
+        return
+    if new.needed and not new.when and old.default is not None:
+        reason = f"default {old.default!r} is gone: a node that is started without a value for it stops"
         yield Difference("default_changed", True, reason, old_value=str(old.default))
         return
     if old.default is None or new.default is None:
@@ -194,7 +199,11 @@ def accepts(new: Form, old: Form) -> bool:
     count = len(old.types)
     if old.virtual and new.virtual:
         return new.types == old.types and new.returns == old.returns
-    if new.required > old.required or len(new.types) < count or _returns_otherwise(new, old):
+    if new.required > old.required or _returns_otherwise(new, old):
+        return False
+    if has_keyword_only(new) or has_keyword_only(old):
+        return takes_keywords(new, old)
+    if len(new.types) < count:
         return False
     if any(new.types[:count]) or any(old.types):
         return all(takes(after, before) for after, before in zip(new.types, old.types, strict=False))
@@ -260,6 +269,8 @@ def added_breaks(entity: Provision) -> str | None:
         return "a new field changes the layout: old and new sides of this type do not talk, bags need migration"
     if entity.row.duty and entity.default is None:
         return "a new argument without a default: whoever starts or includes the file must give it"
+    if entity.needed and not entity.when:
+        return "a new parameter without a default: a node that is started without a value for it stops"
     if any(form.pure for form in entity.forms):
         return "a new pure virtual method: classes that derive from it no longer build"
     return None

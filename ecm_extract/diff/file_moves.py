@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.provision import Provision
@@ -20,15 +20,27 @@ def alone_in_moved_files(
 ) -> Iterator[Pair]:
     """Yield the pairs of a kind that stand alone in a file that moved, under whatever name.
 
-    A package is what moved when most of the files that left its folder went to the folder of a new package.
+    A package is what moved when most of the files that left its folder went to the folder of a new package, and the one
+    whose manifest names it anew where it lies.
     """
     gone, came = _by_place(kind, removed), _by_place(kind, added)
     for place, before in gone.items():
-        target = _folder_moved(place, files) if kinds()[kind].released else files.get(place)
+        if kinds()[kind].released:
+            target, where = _package_moved(place, files, came)
+        else:
+            target, where = files.get(place), "git sees that its file moves, and declares no other"
         after = came.get(target, []) if target is not None else []
         if len(before) == 1 and len(after) == 1 and before[0].name != after[0].name:
-            where = "its files move there" if kinds()[kind].released else "its file moves, and declares no other"
-            yield Pair(before[0], after[0], "renamed", _ALONE, f"gone and new; git sees that {where}")
+            yield Pair(before[0], after[0], "renamed", _ALONE, f"gone and new; {where}")
+
+
+def _package_moved(
+    folder: str, files: Mapping[str, str], came: Mapping[str, Sequence[Provision]]
+) -> tuple[str | None, str]:
+    """The folder of the package that one became, and by what that is seen."""
+    if len(came.get(folder, ())) == 1:
+        return folder, "the manifest in its folder names it so"
+    return _folder_moved(folder, files), "git sees that its files move there"
 
 
 def _by_place(kind: str, entities: Iterable[Provision]) -> dict[str, list[Provision]]:

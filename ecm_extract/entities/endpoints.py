@@ -74,6 +74,7 @@ def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> Pr
         line=at.line,
         chain=_calls(entry),
         when=entry.when,
+        needed=entry.needed,
     )
 
 

@@ -71,7 +71,19 @@ def _installed_headers(facts: PackageFacts) -> set[str]:
 
 
 def python_modules(facts: PackageFacts) -> dict[str, str]:
-    """Return the path of each importable module with its dotted name; names with an underscore are private."""
+    """Return the path of each module that is there to be imported, with its dotted name; see `script_modules`."""
+    programs = script_modules(facts)
+    return {path: dotted for path, dotted in _importable(facts).items() if dotted not in programs}
+
+
+def program_modules(facts: PackageFacts) -> dict[str, str]:
+    """Return the path of each module that console scripts start: nobody is meant to import it, and whoever does can."""
+    programs = script_modules(facts)
+    return {path: dotted for path, dotted in _importable(facts).items() if dotted in programs}
+
+
+def _importable(facts: PackageFacts) -> dict[str, str]:
+    """The path of each importable module with its dotted name; names with an underscore are private."""
     roots = _import_roots(facts)
     found = {}
     for path, source in facts.sources.items():
@@ -84,8 +96,7 @@ def python_modules(facts: PackageFacts) -> dict[str, str]:
         dotted = below.removeprefix(root).removesuffix(".py").replace("/", ".").removesuffix(".__init__")
         if not any(part.startswith("_") for part in dotted.split(".")):
             found[path] = dotted
-    programs = script_modules(facts)
-    return {path: dotted for path, dotted in found.items() if dotted not in programs}
+    return found
 
 
 def stub_modules(facts: PackageFacts) -> Iterator[str]:

@@ -12,7 +12,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Text
 from ecm_parsers.source.facts import Function, SourceFile
 from ecm_parsers.source.flow import Block, Branch, blocks, statements
 
-from ecm_extract.entities.public_files import python_modules, stub_modules
+from ecm_extract.entities.public_files import program_modules, python_modules, stub_modules
 from ecm_extract.entities.signatures import form_of
 from ecm_extract.link.code.tuples import returned_values
 from ecm_extract.link.code.walk import children
@@ -36,9 +36,12 @@ def python_entities(facts: PackageFacts) -> Iterator[Provision]:
 def bound_names(facts: PackageFacts) -> Iterator[str]:
     """Yield what modules offer without declaring it: names that they import (`from .node import Node`) or assign.
 
-    So are compiled modules, of which a package holds only the stub.
+    So are compiled modules, of which a package holds only the stub, and those that programs are.
     """
     yield from stub_modules(facts)
+    for path, dotted in program_modules(facts).items():
+        yield dotted
+        yield from (each.name for each in _symbols(facts.name, path, dotted, facts.sources[path]) if not each.row.part)
     for path, dotted in python_modules(facts).items():
         source = facts.sources[path]
         for entry in source.imports:

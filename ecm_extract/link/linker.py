@@ -27,6 +27,7 @@ from ecm_extract.link.endpoints.frames import frame_of
 from ecm_extract.link.endpoints.generated import GeneratedParameters
 from ecm_extract.link.endpoints.listeners import LISTENER
 from ecm_extract.link.endpoints.merging import merged
+from ecm_extract.link.endpoints.needed import Needed
 from ecm_extract.link.endpoints.observe import Observation, observation_forms, observations
 from ecm_extract.link.endpoints.open_defaults import OpenDeclarations
 from ecm_extract.link.endpoints.qos import QosReader
@@ -123,6 +124,7 @@ class Linker:
         self.modules = Modules(self.program, self.references, registry)
         self.ownership = Ownership(self.sites, self.modules, makers)
         self.conditions = EndpointConditions(self.sites, self.modules)
+        self.needed = Needed(self.sites, self.modules)
         self.open_declarations = OpenDeclarations()
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
@@ -295,6 +297,7 @@ class Linker:
                 default=None if data is UNKNOWN else data,
                 inherited_from=origin,
                 when=when,
+                needed=data in (None, UNKNOWN) and self.needed.has(site),
             )
             yield interface, LocalName((name.resolved,)) if site.is_absolute else local
 

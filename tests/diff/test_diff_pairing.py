@@ -233,3 +233,15 @@ def test_an_alias_of_an_alias_has_the_constructor_of_the_class() -> None:
         made,
     ]
     assert Bases({entry.key: entry for entry in listed}).constructor("a::Arm") == made
+
+
+@pytest.mark.parametrize(("place", "how"), [("common/package.xml", "renamed"), ("other/package.xml", "same")])
+def test_a_manifest_that_names_its_package_anew_renames_it(place: str, how: str) -> None:
+    """Where the manifest lies where it lay, the package has another name, however little the two are alike."""
+    before = entity("package", "serdp", owner="", package="serdp", path="common/package.xml")
+    after = entity("package", "proc", owner="", package="proc", path=place)
+    old = entity("class", "serdp::Ping", owner="", package="serdp", path="common/include/serdp/ping.hpp")
+    new = entity("class", "proc::Ping", owner="", package="proc", path=place.replace("package.xml", "include/a.hpp"))
+    pairs = paired([before, old], [after, new])
+    assert next(pair.how for pair in pairs if (pair.old or pair.new or old).kind == "package") == how
+    assert ("serdp", "proc", "renamed") in shown(pairs) or how == "same"

@@ -9,6 +9,10 @@ BASE: Files = {
     "arm/setup.py": "from setuptools import setup\nsetup(name='arm', packages=['arm'])\n",
     "arm/arm/__init__.py": "",
 }
+_SCRIPT = (
+    "from setuptools import setup\n"
+    "setup(name='arm', packages=['arm'], entry_points={'console_scripts': ['qos = arm.qos:main']})\n"
+)
 OLD = "class QoSPolicy(IntEnum):\n    FIRST = 1\n    LAST = 2\n"
 
 
@@ -58,6 +62,36 @@ CASES = {
         },
         set(),
         False,
+    ),
+    "a module becomes a program": (
+        _module("class Tool:\n    def run(self):\n        pass\n\ndef main():\n    Tool().run()\n"),
+        {"arm/setup.py": _SCRIPT},
+        set(),
+        False,
+    ),
+    "a program loses a class that others may have imported": (
+        {**_module("class Tool:\n    def run(self):\n        pass\n\ndef main():\n    Tool().run()\n")},
+        {"arm/setup.py": _SCRIPT, "arm/arm/qos.py": "def main():\n    pass\n"},
+        {("class", "removed", "arm.qos.Tool", None)},
+        True,
+    ),
+    "an argument among those that are given by name": (
+        _module("class Arm:\n    def __init__(self, size, *args, grip=1, speed=2):\n        pass\n"),
+        _module("class Arm:\n    def __init__(self, size, *args, log=False, speed=2, grip=1):\n        pass\n"),
+        set(),
+        False,
+    ),
+    "an argument that was given by name is gone": (
+        _module("class Arm:\n    def __init__(self, size, *, grip=1, speed=2):\n        pass\n"),
+        _module("class Arm:\n    def __init__(self, size, *, speed=2, force=1):\n        pass\n"),
+        {("method", "signature_changed", "__init__", "__init__")},
+        True,
+    ),
+    "any arguments are no longer taken": (
+        _module("class Arm:\n    def __init__(self, size, *args, grip=1):\n        pass\n"),
+        _module("class Arm:\n    def __init__(self, size, *, grip=1):\n        pass\n"),
+        {("method", "signature_changed", "__init__", "__init__")},
+        True,
     ),
 }
 

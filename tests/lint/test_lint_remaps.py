@@ -37,6 +37,12 @@ def test_names_of_a_base(workspace: Workspace) -> None:
     assert "LNT006" not in found(workspace, "bond", ("", "nav2_util::LifecycleNode", ""))
 
 
+@pytest.mark.parametrize(("taken", "expected"), [("move_group_interface/move_group_interface.h", False), ("x.h", True)])
+def test_names_of_an_object(workspace: Workspace, taken: str, expected: bool) -> None:
+    """An object of a library that a source takes in has the names that its row has."""
+    assert ("LNT006" in found(workspace, "joint_states", (f"#include <moveit/{taken}>", NODE, ""))) is expected
+
+
 @pytest.mark.parametrize(
     ("imported", "base", "expected"),
     [

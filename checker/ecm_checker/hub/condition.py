@@ -50,13 +50,14 @@ class Condition(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
         """What holds where this does not."""
         return msgspec.structs.replace(self, negated=not self.negated)
 
-    def holds(self, given: Mapping[str, str]) -> bool | None:
+    def holds(self, given: Mapping[str, str], tests: Tested = "argument") -> bool | None:
         """Whether it holds; None where what is given does not tell.
 
         Args:
-            given: values of launch arguments by name.
+            given: values by name.
+            tests: what they are values of.
         """
-        value = given.get(self.name) if self.tests == "argument" else None
+        value = given.get(self.name) if self.tests == tests else None
         same = None if value is None else _same(value, self.wanted)
         return None if same is None else same is not self.negated
 

@@ -52,6 +52,7 @@ class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, gc
     open: bool = False
     written: str = ""
     when: tuple[Condition, ...] = ()
+    needed: bool = False
 
 
 class Around(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -202,6 +203,7 @@ def provided(provision: Provision) -> Provided:
         open=provision.open,
         written=provision.written,
         when=provision.when,
+        needed=provision.needed,
     )
 
 
@@ -233,6 +235,7 @@ def provision(package: str, row: Provided) -> Provision:
         open=row.open,
         written=row.written,
         when=row.when,
+        needed=row.needed,
     )
 
 

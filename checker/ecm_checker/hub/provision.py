@@ -79,6 +79,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
         open: whether it may have names below it that are not told, as a launch file that could not be read whole.
         written: hash of the line that declares it, without its name; empty where that says nothing.
         when: conditions under which it is there, as far as they are known; all of them hold then.
+        needed: of a parameter, whether its module stops where nobody sets it.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
     """
 
@@ -105,6 +106,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
     open: bool = False
     written: str = ""
     when: tuple[Condition, ...] = ()
+    needed: bool = False
 
     @property
     def row(self) -> Kind:

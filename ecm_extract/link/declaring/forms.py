@@ -54,6 +54,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         prefix: the method that gives the object a prefix for the names of its later calls.
         latch: position of the flag that keeps the last message for who comes later (ROS 1).
         undeclared: the row holds only where the node takes parameters that it does not declare.
+        needed: a call with a template argument and without a default stops the node where nobody sets the parameter.
     """
 
     callee: str
@@ -82,6 +83,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     prefix: str = ""
     latch: str = ""
     undeclared: bool = False
+    needed: bool = False
 
     def __post_init__(self) -> None:
         """Refuse positions that mean nothing, so that a misspelt one is an error and not a form without effect."""

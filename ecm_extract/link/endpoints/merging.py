@@ -123,6 +123,7 @@ def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...])
         default=second.default if first.default is None else first.default,
         inherited_from=first.inherited_from if second.inherited_from else None,
         when=when,
+        needed=first.needed and second.needed,
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 from ecm_checker.finding import Entity, Finding
 
@@ -22,7 +22,9 @@ RULE = LintRule(
 )
 
 _GOES_ON = "roslaunch reports it and goes on without the node"
+_GOES_ON_WITHOUT = "roslaunch reports them and goes on without their nodes"
 _KIND = "executable"
+_SHOWN = 5
 
 
 def tell(known: Known) -> Iterator[Finding]:
@@ -32,8 +34,33 @@ def tell(known: Known) -> Iterator[Finding]:
         wanted = asked.requirement
         if asked.match.state == "dangling":
             missing.setdefault((asked.consumer.name, wanted.package or "", wanted.name), []).append(asked)
-    for (_, package, name), group in missing.items():
-        yield _finding(package, name, group, known)
+    together: dict[tuple[str, str, str], dict[str, list[Asked]]] = {}
+    for (consumer, package, name), group in missing.items():
+        if _target(known.near(name, package, _KIND)):
+            yield _finding(package, name, group, known)
+        else:
+            first = group[0].requirement.evidence[0].path
+            together.setdefault((consumer, package, first), {})[name] = group
+    for (_, package, _), groups in together.items():
+        if len(groups) == 1:
+            yield from (_finding(package, name, group, known) for name, group in groups.items())
+        else:
+            yield _left_over(package, groups)
+
+
+def _left_over(package: str, groups: Mapping[str, Sequence[Asked]]) -> Finding:
+    """One finding for a launch file that starts several programs, none of which has nearly the name of one that is."""
+    names = list(groups)
+    every = [asked for group in groups.values() for asked in group]
+    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    return RULE.finding(
+        f"{package} builds no programs {', '.join(names[:_SHOWN])}{more}",
+        Entity(_KIND, " ".join(names)),
+        every[0].consumer.name,
+        [place for asked in every for place in asked.requirement.evidence],
+        consequence=_GOES_ON_WITHOUT if every[0].consumer.ros == 1 else "",
+        resolution="correct the names, install the programs, or remove the launch file",
+    )
 
 
 def _finding(package: str, name: str, group: list[Asked], known: Known) -> Finding:

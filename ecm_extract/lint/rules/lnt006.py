@@ -12,6 +12,7 @@ from ecm_checker.match.engine import Match
 
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.lint.library_bases import brought_by_bases
+from ecm_extract.lint.library_objects import brought_by_objects
 from ecm_extract.lint.lines import line_of_name
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
@@ -51,7 +52,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             line = each.remap.place, each.remap.source  # which may be launched many times, for other targets
             if _key(each.remap) not in alive and line not in seen:
                 process = [other for other in nodes if other.instance.place == each.node.instance.place]
-                is_foreign = any(_may_be_of_base(each.remap, other, workspace) for other in process)
+                is_foreign = any(_may_be_of_library(each.remap, other, workspace) for other in process)
                 if not is_foreign and not _is_written(each.remap, process, written):
                     seen.add(line)
                     yield _finding(each.remap, each.node, workspace)
@@ -100,10 +101,13 @@ def _program(node: SystemNode) -> _Program:
     return node.instance.package, node.instance.executable, node.instance.plugin
 
 
-def _may_be_of_base(remap: Remapping, node: SystemNode, workspace: Workspace) -> bool:
-    """Tell whether a node derives from a class outside of the tree that has the name, or may have any."""
+def _may_be_of_library(remap: Remapping, node: SystemNode, workspace: Workspace) -> bool:
+    """Tell whether a class outside of the tree, which a node derives from or uses, has or may have the name."""
     if any(module.package not in workspace.by_name for module in node.modules):
         return True  # documents tell the bases of public classes only
+    used = (workspace.by_name[module.package].sources.values() for module in node.modules)
+    if any(remap.source.lstrip("~/") in brought_by_objects(sources) for sources in used):
+        return True
     program = workspace.linker.program
     names = {module.cls for module in node.modules}
     classes = [cls for name in names for cls in program.classes.get(last_name(name), ()) if cls.qualified == name]

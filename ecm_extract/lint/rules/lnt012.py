@@ -8,6 +8,7 @@ from ecm_checker.finding import Entity, Finding
 
 from ecm_extract.assemble.resources import hardware_table
 from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.switches import Switches
 from ecm_extract.lint.workspace import Workspace, evidence_of
 from ecm_extract.system.node_model import Endpoint, SystemNode
 from ecm_extract.system.system import System
@@ -28,8 +29,9 @@ _CHOOSERS = ("mux", "multiplexer", "arbiter", "selector")
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report a topic once for the lines that write it, whichever nodes run them."""
     seen = set()
+    switches = Switches(workspace)
     for system in workspace.systems:
-        for name, writers in _written(system).items():
+        for name, writers in _written(system, switches).items():
             nodes = sorted({entry.node for entry in writers})
             lines = tuple(dict.fromkeys(entry.place for entry in writers))
             key = (name, frozenset(lines))
@@ -42,7 +44,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 yield RULE.finding(text, Entity("topic", name, " ".join(nodes)), package, evidence, certainty="likely")
 
 
-def _written(system: System) -> dict[str, list[Endpoint]]:
+def _written(system: System, switches: Switches) -> dict[str, list[Endpoint]]:
     table = hardware_table()
     found: dict[str, list[Endpoint]] = {}
     for node in system.nodes:
@@ -50,7 +52,7 @@ def _written(system: System) -> dict[str, list[Endpoint]]:
             continue
         for entry in node.endpoints:
             moves = entry.known and table.moved(entry.role, entry.type, entry.name) is not None
-            if entry.row.writes and moves and not _relays(node, entry.name):
+            if entry.row.writes and moves and not _relays(node, entry.name) and not switches.is_off(entry, node):
                 found.setdefault(entry.name, []).append(entry)
     return found
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
@@ -13,6 +13,7 @@ from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import calls_in
 from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.unstamped_receivers import Publishers
 from ecm_extract.lint.workspace import Workspace
 
 RULE = LintRule(
@@ -35,14 +36,18 @@ _SENDERS = frozenset({"publish", "sendTransform", "send_transform"})
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report local messages of C++ that nothing but plain assignments to other fields has touched."""
+    """Report local messages of C++ that nothing but plain assignments to other fields has touched.
+
+    Where the receivers are known not to look at the header it is an info.
+    """
+    own, publishers = frozenset(workspace.versions), Publishers(workspace)
     for functions in workspace.linker.program.functions.values():
         for func in functions:
             if func.file.language == "cpp" and func.file.package in workspace.by_name:
-                yield from _of(func, frozenset(workspace.versions))
+                yield from _of(func, own, publishers)
 
 
-def _of(func: Func, own: frozenset[str]) -> Iterator[Finding]:
+def _of(func: Func, own: frozenset[str], publishers: Publishers) -> Iterator[Finding]:
     for at, statement in enumerate(func.fact.body):
         made = statement.value
         kind = _made_type(statement.type, made)
@@ -57,7 +62,8 @@ def _of(func: Func, own: frozenset[str]) -> Iterator[Finding]:
             text = f"{kind} {name} is sent and its header (stamp, frame_id) is never written"
             evidence = [Evidence(func.file.path, sent[0].line), Evidence(func.file.path, statement.line)]
             entity = Entity("message", f"{func.fact.scope}::{func.fact.name}", name)
-            yield RULE.finding(text, entity, func.file.package, evidence, certainty="likely")
+            level: Severity | None = "info" if publishers.need_no_header(func.file.package, kind) else None
+            yield RULE.finding(text, entity, func.file.package, evidence, certainty="likely", severity=level)
 
 
 def _life(body: tuple[Statement, ...], name: str) -> tuple[Statement, ...]:

@@ -22,6 +22,7 @@ RULE = LintRule(
     consequence="a clean or parallel build stops now and then, because the header is not there yet",
     resolution="add_dependencies(TARGET ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})",
     of_one_tree=True,
+    tier="stable",
 )
 
 

@@ -27,6 +27,7 @@ RULE = LintRule(
 )
 _IN_INCLUDED: Severity = "warning"
 """Who includes a file may put it in a namespace; a file that is started itself chooses its own."""
+_HANDED = "hand the name to the launch file as an argument: without its / it would lie in the namespace of this node"
 _HOSTED = frozenset({"component", "controller"})
 """Kinds of nodes that are named by what holds them."""
 
@@ -79,11 +80,18 @@ def _finding(found: Reached, owner: Provision, workspace: Workspace, *, together
     """A finding; a node that no launch starts together with what is told may have the name by chance: an info."""
     shared = found.place.path.rpartition("/")[2] in workspace.included and _is_written(found.place, workspace)
     text = f"{found.name} is absolute, and the node {owner.name.lstrip('/')} is started by a relative name"
+    beside = _is_beside(found)
     return RULE.finding(
         text,
         Entity("topic", found.name),
         workspace.package_of(found.place.path),
         [evidence_of(found.place), Evidence(owner.path, owner.line)],
         certainty="likely",
-        severity=_IN_INCLUDED if shared and together else None,
+        severity=_IN_INCLUDED if shared and together and beside else None,
+        resolution=RULE.resolution if beside else _HANDED,
     )
+
+
+def _is_beside(found: Reached) -> bool:
+    """Tell whether the name without its slash is the same one: who is told it is in no namespace of its own."""
+    return found.node.namespace == "/"

@@ -32,11 +32,12 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     file starts it by another name.
     """
     names = _started(workspace)
+    others = _names_of_others(names)
     for module in workspace.index.modules:
         absolute = [each for each in module.endpoints if _is_absolute(each)]
         for space, items in (_by_space(absolute) if workspace.ros_of(module.package) == 1 else {}).items():
             started = names.get((module.package, module.name), {space})
-            missed = len(items) > 1 and _is_own(space, module) and space not in started
+            missed = len(items) > 1 and _is_own(space, module) and space not in {*started, *others}
             yield _finding(module, items, "warning" if missed else "info")
 
 
@@ -64,6 +65,11 @@ def _started(workspace: Workspace) -> dict[tuple[str, str], set[str]]:
                 key = (module.package, module.name)
                 found.setdefault(key, set()).add(node.name.rpartition("/")[2])
     return found
+
+
+def _names_of_others(started: Mapping[tuple[str, str], Iterable[str]]) -> frozenset[str]:
+    """Names by which launch files start anything: what lies below one is of that node, and read on purpose."""
+    return frozenset(name for names in started.values() for name in names)
 
 
 def _is_absolute(item: RunningEndpoint) -> bool:

@@ -44,6 +44,8 @@ _PATTERNS = frozenset(
 )
 """All names below are bound; a default in one of them is taken for bound too."""
 
+_BLOCKS = frozenset({"block", "module"})
+_LEAVES = frozenset({"raise_statement", "return_statement", "continue_statement", "break_statement"})
 _BOUND_FIELDS = {
     "assignment": "left",
     "for_statement": "left",
@@ -109,13 +111,18 @@ def _without_self(root: Node) -> Iterator[Node]:
 
 
 def _names(root: Node) -> Iterator[tuple[Node, bool]]:
-    """Every identifier that stands for a name, and whether it is bound there; and what makes a file open."""
-    pending = [(root, False)]
+    """Every identifier that stands for a name, and whether it is bound there; and what makes a file open.
+
+    What stands behind a `raise` or a `return` of its block binds, as Python has it, and uses nothing.
+    """
+    pending = [(root, False, False)]
     while pending:
-        node, binds = pending.pop()
+        node, binds, dead = pending.pop()
         if node.type == "identifier" or node.type in _OPEN_NODES:
-            yield node, binds
+            if binds or not dead or node.type in _OPEN_NODES:
+                yield node, binds
             continue
+        passed = _never_passed(node)
         field = _BOUND_FIELDS.get(node.type)
         left = node.child_by_field_name(field) if field else None
         skipped = node.child_by_field_name(_NOT_NAMES[node.type]) if node.type in _NOT_NAMES else None
@@ -124,4 +131,12 @@ def _names(root: Node) -> Iterator[tuple[Node, bool]]:
         for child in reversed(node.named_children):
             if child != skipped:
                 late = child.type == "identifier" and child in caught
-                pending.append((child, inside or child == left or late))
+                behind = passed is not None and child.start_byte > passed
+                pending.append((child, inside or child == left or late, dead or behind))
+
+
+def _never_passed(block: Node) -> int | None:
+    """Where the first statement of a block stands that nothing passes."""
+    if block.type not in _BLOCKS:
+        return None
+    return next((child.start_byte for child in block.named_children if child.type in _LEAVES), None)

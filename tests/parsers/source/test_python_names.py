@@ -45,6 +45,10 @@ ROWS = [
     ("a = b\n\tc = d\n", []),
     ("\ufeffa = b", ["b"]),
     ("# x\n  # y\na = b; c = d", ["b", "d"]),
+    ("def f():\n  raise NotImplementedError\n  return a", []),
+    ("def f():\n  if g():\n    return 1\n  return a\ndef g(): pass", ["a"]),
+    ("def f():\n  return h\n  h = 1", []),
+    ("while 1:\n  break\n  a\nb", ["b"]),
 ]
 
 

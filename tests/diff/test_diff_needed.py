@@ -1,0 +1,50 @@
+"""Parameters that must be set: a node that was started without them stops where the next release asks for one."""
+
+from __future__ import annotations
+
+import pytest
+from diff_repos import node
+
+CMAKE = "project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION lib/arm)\n"
+READ_ONLY = (
+    "static rcl_interfaces::msg::ParameterDescriptor read_only() { return {}; }\n"
+    "static int initial() { return setup(); }\n"
+)
+RATE = 'declare_parameter<int>("rate", 1);'
+ROWS = [
+    ('declare_parameter<int>("depth");', True),
+    ('declare_parameter<int>("depth", read_only());', True),
+    ('rcl_interfaces::msg::ParameterDescriptor d; declare_parameter<int>("depth", d);', True),
+    ('{ rcl_interfaces::msg::ParameterDescriptor d; declare_parameter<int>("depth", d); }', True),
+    ('declare_parameter<int>("depth", 5);', False),
+    ('declare_parameter<int>("depth", initial());', False),
+    ('declare_parameter("depth");', False),
+    ('if (get_parameter("rate").as_int() > 3) { declare_parameter<int>("depth"); }', False),
+    ('if (ready()) { return; } declare_parameter<int>("depth");', False),
+    ('try { declare_parameter<int>("depth"); } catch (const std::exception &) {}', False),
+]
+
+
+def _arm(*lines: str) -> dict[str, str | None]:
+    return {"arm/CMakeLists.txt": CMAKE, "arm/src/arm.cpp": READ_ONLY + node(*lines)}
+
+
+@pytest.mark.parametrize(("line", "breaks"), ROWS)
+def test_a_new_parameter(changes, line: str, breaks: bool) -> None:  # type: ignore[no-untyped-def]
+    """It breaks who starts the node where it surely has no default and is surely declared."""
+    found = [each for each in changes(_arm(RATE), _arm(RATE, line)) if each["kind"] == "parameter"]
+    assert [(each["change"], each["new"], each["breaking"]) for each in found] == [("added", "depth", breaks)]
+
+
+def test_a_new_node(changes) -> None:  # type: ignore[no-untyped-def]
+    """Nobody started it before, so nothing of it breaks anybody."""
+    leg = node(RATE).replace("Arm", "Leg").replace('"arm"', '"leg"')
+    other = {"arm/CMakeLists.txt": CMAKE.replace("arm src/arm.cpp", "leg src/leg.cpp"), "arm/src/leg.cpp": leg}
+    found = changes(other, _arm(RATE, 'declare_parameter<int>("depth");'))
+    assert not [each for each in found if each["kind"] == "parameter" and each["new"] == "depth" and each["breaking"]]
+
+
+def test_a_default_that_goes(changes) -> None:  # type: ignore[no-untyped-def]
+    """Who relied on it must set the parameter now."""
+    found = changes(_arm(RATE, 'declare_parameter<int>("depth", 5);'), _arm(RATE, 'declare_parameter<int>("depth");'))
+    assert [(each["change"], each["old"], each["breaking"]) for each in found] == [("default_changed", "depth", True)]
