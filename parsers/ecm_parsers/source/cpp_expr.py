@@ -15,6 +15,7 @@ from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
 from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.expr import (
+    MOVED,
     THIS,
     Call,
     Expr,
@@ -37,7 +38,7 @@ _CASTS = frozenset(
         "dynamic_cast",
         "const_cast",
         "reinterpret_cast",
-        "std::move",
+        MOVED.text,
         "std::forward",
         "std::ref",
         "std::cref",
@@ -54,6 +55,7 @@ class ExprReader:
         called: called with each lambda that is called where it stands; gives the function that it is read as.
         handed: called with every other one; gives what it is where it is read as a function as well.
         own: variables that are the object at hand by another name.
+        moved: variables that were moved from since somebody emptied it.
         changed: called with what changes a variable; gives what the expression gets, None for no change within one.
     """
 
@@ -71,6 +73,7 @@ class ExprReader:
         self.handed = handed
         self.changed = changed
         self.own: set[str] = set()
+        self.moved: list[Name] = []
         self._depth = 0
 
     def text(self, node: Node) -> str:
@@ -154,7 +157,10 @@ def _call(reader: ExprReader, node: Node) -> Expr:
     if function.type in {"identifier", "template_function", "qualified_identifier"}:
         name = reader.name(function)
         if name in _CASTS and listed is not None and listed.named_child_count == 1:
-            return _cast(reader.read(listed.named_children[0]), reader.template_arguments(function))
+            value = reader.read(listed.named_children[0])
+            if name == MOVED.text and isinstance(value, Name):
+                reader.moved.append(value)
+            return _cast(value, reader.template_arguments(function))
     callee = _called_lambda(reader, function) or reader.read(function)
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
     types = reader.template_arguments(function)
