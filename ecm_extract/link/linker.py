@@ -225,7 +225,7 @@ class Linker:
         stamped = tuple(dict.fromkeys(self._stamped.get(module, ())))
         told = tuple(dict.fromkeys(self._diagnosed.get(module, ())))
         node = self._node(module, nodes)
-        text, at = (node.text, node.at) if node is not None and "{" not in node.text else (None, None)
+        text, at = (node.text, node.at) if node is not None and not node.is_open and node.in_graph else (None, None)
         return LinkedModule(module, text, interfaces, local, claims, seen, managed, stamped, lines, told, at)
 
     def _node(self, module: Module, nodes: Mapping[Cls, NodeName]) -> NodeName | None:
@@ -239,7 +239,7 @@ class Linker:
         for unit in units_of(site, self.sites, self.modules):
             for module in self.ownership.owners(unit, site):
                 node = self._node(module, nodes)
-                self._give(site, unit, module, found[module], node.full if node is not None else None)
+                self._give(site, unit, module, found[module], node.in_graph if node is not None else None)
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name

@@ -20,6 +20,7 @@ from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.library_functions import library_function
 from ecm_extract.link.index.module_kinds import is_node_base
+from ecm_extract.link.naming.anonymous import is_anonymous
 from ecm_extract.link.naming.handles import NODE_NAME, space_given
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, Instance
@@ -36,16 +37,25 @@ _NAMING = ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_sh
 
 @dataclass(frozen=True, slots=True)
 class NodeName:
-    """The name that a node gives itself, the line that says it, and the namespace that it puts itself in."""
+    """The name that a node gives itself, the line that says it, and the namespace that it puts itself in.
+
+    One that is `anonymous` gets a number behind its name when it starts: nobody knows what it is called.
+    """
 
     text: str
     at: Evidence
     space: str = ""
+    anonymous: bool = False
 
     @property
     def full(self) -> str:
         """Return the name with the namespace before it."""
         return f"{self.space}/{self.text}" if self.space else self.text
+
+    @property
+    def in_graph(self) -> str | None:
+        """Return the same as names below it have it; None of one that is anonymous."""
+        return None if self.anonymous else self.full
 
     @property
     def is_open(self) -> bool:
@@ -190,7 +200,9 @@ class NodeNames:
         after = f"arg:{index + 1}" if is_node_base(call.path) else ""
         space = space_given(own, env, self.folder) if python else next(positions(after, own), None)
         space = space if named not in _SPACELESS else None
-        return self._named(Given(name, space), env, _place(call)) if name is not None else None
+        found = self._named(Given(name, space), env, _place(call)) if name is not None else None
+        anonymous = found is not None and named is not None and is_anonymous(named, call, env, self.folder)
+        return replace(found, anonymous=True) if found is not None and anonymous else found
 
 
 def _by_default(func: Func) -> dict[str, Bound]:
