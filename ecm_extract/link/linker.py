@@ -13,7 +13,7 @@ from ecm_parsers.source.expr import Name, Text
 
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
-from ecm_extract.link.declaring.listed import Listed, listed_parameters
+from ecm_extract.link.declaring.listed import defaults_of, listed_parameters
 from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, name_argument, positions
 from ecm_extract.link.declaring.parameters import Home, Parameters
 from ecm_extract.link.declaring.site import Site
@@ -52,6 +52,7 @@ from ecm_extract.link.naming.names import (
 from ecm_extract.link.naming.node_names import NodeName, NodeNames
 from ecm_extract.link.naming.plugin_names import Names, with_own_names
 from ecm_extract.link.naming.sole_objects import SoleObjects
+from ecm_extract.link.naming.values_given import ValuesGiven
 from ecm_extract.link.owning.activation import Activation
 from ecm_extract.link.owning.built import files_of
 from ecm_extract.link.owning.made import units_of
@@ -115,7 +116,8 @@ class Linker:
         self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, makers))
         self.folder.prefixes = self.handles.prefix
         self.typing = EndpointTypes(self.folder, self.types)
-        self.names = NodeNames(self.folder, self.sites)
+        self.names = NodeNames(self.folder, self.sites, registry.classes)
+        self.given = ValuesGiven(self.names)
         self.generated = GeneratedParameters(self.sites, packages)
         self.parameter_sites: list[Site] = []
         self.helpers: frozenset[str] = frozenset()  # names of functions that lead to what is declared
@@ -142,6 +144,7 @@ class Linker:
         self.parameter_sites = self.sites.find(parameters=True)
         self._declare_defaults(self.parameter_sites)
         self.folder.forget()
+        self.given.forget()
 
     def attributed(self) -> list[LinkedModule]:
         """Return what `link` does, once parameters are declared."""
@@ -199,19 +202,13 @@ class Linker:
         for site in (each for each in sites if not each.form.fallback):
             owner = (site.owner,) if site.owner is not None else ()
             homes: tuple[Home, ...] = (site.root.file.package, site.root.file, *owner)
-            for each in self._defaults(site):
-                if each.default is not None and stated_type(each.default.expr) is None:
+            for each in defaults_of(site, self.sites.names(site), self.folder):
+                begun = self.given.of(site, each.name.text, each.default)
+                for home in homes if begun is not each.default else ():
+                    self.parameters.give_instead(each.name.text, home)
+                if begun is not None and stated_type(begun.expr) is None:
                     for home in homes:
-                        self.parameters.declare(each.name.text, home, (each.default.expr, each.default.env))
-
-    def _defaults(self, site: Site) -> Iterable[Listed]:
-        """The parameters of a site, by the names that it declares, with their defaults."""
-        if site.form.items:
-            return listed_parameters(site, self.folder)
-        default = next(positions(site.form.default, site.call), None)
-        if default is None or name_argument(site.form, site.call) is None:
-            return ()
-        return [Listed(name, Bound(default, site.env)) for name in self.sites.names(site)]
+                        self.parameters.declare(each.name.text, home, (begun.expr, begun.env))
 
     def _linked(
         self, module: Module, found: Mapping[Module, list[Interface]], nodes: Mapping[Cls, NodeName]
@@ -274,7 +271,7 @@ class Linker:
             name, confidence = name_below(site, value, handle, node), value.confidence
             if is_never_made(value, name, ros) and not site.form.row.value:
                 continue
-            kind, data = self._typed(site, default)
+            kind, data = self._begun(site, name.resolved, default)
             if is_below_node(value):
                 confidence = known_beside(value)
             if not site.certain or (is_choice and named.confidence == "pattern"):
@@ -297,6 +294,12 @@ class Linker:
                 when=when,
             )
             yield interface, LocalName((name.resolved,)) if site.is_absolute else local
+
+    def _begun(self, site: Site, name: str, default: Bound | None) -> tuple[str | None, Any]:
+        """The type that a site declares, and what it begins with."""
+        kind, data = self._typed(site, default)
+        given = self.given.of(site, name, default)
+        return kind, data if given is default else UNKNOWN if given is None else self._typed(site, given)[1]
 
     def _typed(self, site: Site, given: Bound | None) -> tuple[str | None, Any]:
         """The type and default of a site; where an object is made with these, what all places make it with."""

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Final, NamedTuple
 
 from ecm_checker.contract import Confidence
-from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Opaque
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
 from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.link.code.calls import Invocation
@@ -18,6 +18,7 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.naming.carriers import carriers
 from ecm_extract.link.naming.given_handles import given_namespace
 from ecm_extract.link.naming.host_arguments import HostArguments
+from ecm_extract.link.naming.node_settings import NodeSettings
 from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, invocation_of
@@ -40,9 +41,6 @@ _TEXTS: Final = ("string", "char")
 NODE_NAME: Final = "arg:0|kw:node_name"
 NODE_SPACE: Final = "kw:namespace"
 """Where a node of rclpy is given its name and its namespace."""
-
-
-_NS: Final = "__ns:="
 
 
 class Handle(NamedTuple):
@@ -85,6 +83,7 @@ class Handles:
         self.folder = folder
         self.hosts = hosts
         self.sole = sole
+        self.settings = NodeSettings(folder)
         self._handing: set[tuple[Func, str]] = set()
 
     def of(self, expr: Expr | None, env: Env, only: bool = False) -> Handle:
@@ -264,22 +263,26 @@ class Handles:
         return _of_any([under(one.prefix, each) for one in parent.each() for each in names], parent.node)
 
     def _new_node(self, args: Sequence[Expr], env: Env) -> Handle:
-        name = self.folder.fold(args[0], env)[0]
-        if len(args) < 2 or not self._is_namespace(args[1], env):
+        settings = self.settings.of(args[1:], (), env)
+        name = settings.name or self.folder.fold(args[0], env)[0]
+        named = len(args) > 1 and self._is_namespace(args[1], env)
+        space = settings.space or (self.folder.fold(args[1], env)[0] if named else None)
+        if space is None:
             return Handle(literal(""), name)
-        space = self.folder.fold(args[1], env)[0]
         own = space.parts == node_namespace().parts  # that of the node which makes it
         return Handle(literal(""), name if own else under(space, name))
 
     def _python_node(self, call: Invocation, env: Env) -> Handle | None:
         """A node of rclpy, whose namespace is a keyword; None of one without a name, which a class has of its own."""
-        name, space = next(positions(NODE_NAME, call), None), space_given(call, env, self.folder)
+        name, space = next(positions(NODE_NAME, call), None), next(positions(NODE_SPACE, call), None)
         if name is None:
             return None
-        named = self.folder.fold(name, env)[0]
-        if space is None or space == NULL:
+        settings = self.settings.of((), call.keywords, env)
+        named = settings.name or self.folder.fold(name, env)[0]
+        found: tuple[Value, ...] = (settings.space,) if settings.space is not None else ()
+        if not found and (space is None or space == NULL):
             return Handle(literal(""), named)
-        found = self.folder.fold(space, env)
+        found = found or self.folder.fold(space, env)
         return Handle(literal(""), under(found[0] if len(found) == 1 else unknown("namespace"), named))
 
     def _is_namespace(self, expr: Expr, env: Env) -> bool:
@@ -293,14 +296,6 @@ def _of_any(prefixes: Sequence[Value], node: Value | None = None) -> Handle:
     """The handle that has one of several prefixes."""
     first, *others = unique(prefixes)
     return Handle(first, node, tuple(others))
-
-
-def space_given(call: Invocation, env: Env, folder: Folder) -> Expr | None:
-    """Return the namespace that a node of rclpy is given; one that its arguments of a command line remap is open."""
-    remaps = folder.lists.items(next(positions("kw:cli_args", call), None), env) or ()
-    if any(_NS in value.text for each in remaps for value in folder.lists.fold(each, env)):
-        return Opaque("namespace")
-    return next(positions(NODE_SPACE, call), None)
 
 
 def under(prefix: Value, name: Value) -> Value:
