@@ -14,7 +14,7 @@ from ecm_parsers.source.expr import Name, Text
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
 from ecm_extract.link.declaring.listed import defaults_of, listed_parameters
-from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, name_argument, positions
+from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, positions
 from ecm_extract.link.declaring.parameters import Home, Parameters
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites

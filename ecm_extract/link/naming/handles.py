@@ -38,6 +38,7 @@ _SAME = frozenset(
 _TEXTS: Final = ("string", "char")
 
 
+_REMAPPINGS: Final = frozenset({"M_string", "map"})
 NODE_NAME: Final = "arg:0|kw:node_name"
 NODE_SPACE: Final = "kw:namespace"
 """Where a node of rclpy is given its name and its namespace."""
@@ -241,12 +242,19 @@ class Handles:
         if not args:
             return OWN
         first = args[0]
+        if self._remaps(args[1:], env):
+            return Handle(unknown("remapped"))
         if not isinstance(first, Name | Member | Call | Op) or self._says_text(first, env):
             return _of_any(self.folder.fold(first, env))
         parent = self._known(first, env, depth + 1)
         if len(args) < 2:
             return parent
         return self._nested(parent or Handle(unknown(_label(first))), args[1], env)
+
+    def _remaps(self, args: Sequence[Expr], env: Env) -> bool:
+        """Tell whether a handle is given names that stand for others below it (ros/node_handle.h, `M_string`)."""
+        given = [arg for arg in args if last_name(plain(self.folder.objects.type_of(arg, env))) in _REMAPPINGS]
+        return any(self.folder.tables.entries(arg, env) != [] for arg in given)
 
     def _says_text(self, expr: Expr, env: Env) -> bool:
         """Tell whether a handle is made of a namespace, and not of another handle."""
