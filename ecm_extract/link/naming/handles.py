@@ -254,7 +254,8 @@ class Handles:
     def _remaps(self, args: Sequence[Expr], env: Env) -> bool:
         """Tell whether a handle is given names that stand for others below it (ros/node_handle.h, `M_string`)."""
         given = [arg for arg in args if last_name(plain(self.folder.objects.type_of(arg, env))) in _REMAPPINGS]
-        return any(self.folder.tables.entries(arg, env) != [] for arg in given)
+        named = [arg for arg in given if not isinstance(arg, Call) or arg.args]
+        return any(self.folder.tables.entries(arg, env) != [] for arg in named)
 
     def _says_text(self, expr: Expr, env: Env) -> bool:
         """Tell whether a handle is made of a namespace, and not of another handle."""
