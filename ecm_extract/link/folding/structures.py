@@ -226,7 +226,8 @@ class StructureFolder:
 
     def _parts(self, expr: Expr, env: Env) -> list[Bound] | None:
         """Return the values that an object is made from, in order."""
-        bound = self._origin(expr, env)
+        bound = self._origin(expr, env) or (Bound(expr, env) if isinstance(expr, Call) else None)
+        bound = self.folder.returns.shown(bound) if bound is not None else None
         made = bound.expr if bound is not None else None
         if bound is None or not isinstance(made, Items | Call):
             return None
