@@ -26,6 +26,7 @@ from ecm_extract.link.folding.conversions import converted
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of_parameter
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
+from ecm_extract.link.folding.text_functions import TEXT_FUNCTIONS
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.other_nodes import asks_another_node
 from ecm_extract.link.running.own_names import node_namespace
@@ -70,7 +71,7 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
     }
 )
 _CPP_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
-    {"bool": lambda data: truth(data[0], False) if len(data) == 1 else UNKNOWN}
+    {"bool": lambda data: truth(data[0], False) if len(data) == 1 else UNKNOWN, **TEXT_FUNCTIONS}
 )
 _PATH_JOINS = shipped_names(_TABLE, "paths")
 _PROPERTIES = shipped_names(_TABLE, "properties")
