@@ -68,7 +68,7 @@ def _reset(call: Call, callee: Member) -> tuple[Expr, Expr] | None:
 
 
 def _changed(name: str, args: tuple[Expr, ...]) -> tuple[Expr, Expr] | None:
-    """A text that a call changes: `boost::replace_all(text, "-", "_")`, `std::replace`, `std::transform` of all of it."""
+    """A text that a call changes: `boost::replace_all(text, "-", "_")`, `std::replace` of all of it and the like."""
     last = name.rpartition("::")[2]
     if last in _IN_PLACE and name.removesuffix(last) in _BOOST and args:
         return args[0], _made(last, args)
