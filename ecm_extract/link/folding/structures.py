@@ -53,7 +53,7 @@ class StructureFolder:
         made = self._constructed(expr, env)
         if made:
             return made
-        bound = self._part(expr, env)
+        bound = self.part(expr, env)
         if bound is None:
             return self._left_out(expr, env)
         return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
@@ -188,7 +188,7 @@ class StructureFolder:
     def _is_changed(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether an object was given a value that does not show what it is made from."""
         given = any(held.how not in _DECLARED for held in self._helds(expr, env))
-        given = given or (isinstance(expr, Member) and self._part(expr, env) is not None)
+        given = given or (isinstance(expr, Member) and self.part(expr, env) is not None)
         return given and self._parts(expr, env) is None
 
     def _passed(self, name: str, env: Env) -> Value | None:
@@ -198,7 +198,8 @@ class StructureFolder:
         is_param = any(entry.name == name for entry in env.func.fact.params)
         return parameter(name, env.func.is_constructor) if is_param else None
 
-    def _part(self, expr: Member, env: Env) -> Bound | None:
+    def part(self, expr: Member, env: Env) -> Bound | None:
+        """Return what a field is where its object is made; None where that gives it nothing."""
         parts = self._parts(expr.base, env)
         named = dict(named_parts(parts or ()))
         if expr.name in named:
@@ -298,7 +299,7 @@ class StructureFolder:
         whole = self._made(expr.base, env) if env.depth < MAX_DEPTH else None
         if whole is not None and isinstance(whole.expr, Name | Member):
             return Bound(Member(whole.expr, expr.name), whole.env)
-        return self._part(expr, env) or (self._left_by_maker(expr, whole, env) if whole is not None else None)
+        return self.part(expr, env) or (self._left_by_maker(expr, whole, env) if whole is not None else None)
 
     def _left_by_maker(self, expr: Member, whole: Bound, env: Env) -> Bound | None:
         """What the one constructor that can have made an object gives a member of it."""
@@ -331,7 +332,7 @@ class StructureFolder:
             return None
         bound, found = self._origin(expr.base, env), self.folder.scope.constant(root, env)
         if bound is not None or found is not None:
-            return self._part(expr, env)
+            return self.part(expr, env)
         default = cls.fields[expr.name].default if expr.name in cls.fields and not makers_of(cls) else None
         return Bound(default, Env(env.func, depth=env.depth + 1, this=cls)) if default is not None else None
 
