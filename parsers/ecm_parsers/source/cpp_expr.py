@@ -6,7 +6,8 @@ since what happens in a callback happens in the module that wrote it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from ecm_parsers.numbers import truncated
@@ -95,6 +96,14 @@ class ExprReader:
         finally:
             self._depth -= 1
 
+    @contextmanager
+    def before(self) -> Iterator[None]:
+        """Read what becomes statements before the one at hand: what that moves from is moved behind it."""
+        around = self.moved[:]
+        self.moved.clear()
+        yield
+        self.moved[:0] = around
+
     def arguments(self, node: Node | None) -> tuple[Expr, ...]:
         """Return the expressions of an argument or initialiser list."""
         if node is None:
@@ -173,7 +182,8 @@ def _called_lambda(reader: ExprReader, function: Node) -> Expr | None:
         function = function.named_children[0]
     if function.type != "lambda_expression" or reader.called is None or function.child_by_field_name("body") is None:
         return None
-    return Name(reader.called(function))
+    with reader.before():
+        return Name(reader.called(function))
 
 
 def _cast(value: Expr, types: tuple[str, ...]) -> Expr:
@@ -210,12 +220,14 @@ def _binary(reader: ExprReader, node: Node) -> Expr:
 
 
 def _assignment(reader: ExprReader, node: Node) -> Expr:
-    changed = reader.changed(reader, node) if reader.changed is not None else None
+    with reader.before():
+        changed = reader.changed(reader, node) if reader.changed is not None else None
     return _binary(reader, node) if changed is None else changed
 
 
 def _update(reader: ExprReader, node: Node) -> Expr:
-    changed = reader.changed(reader, node) if reader.changed is not None else None
+    with reader.before():
+        changed = reader.changed(reader, node) if reader.changed is not None else None
     return Opaque(reader.text(node)[:80]) if changed is None else changed
 
 
@@ -260,10 +272,11 @@ def _last(reader: ExprReader, node: Node) -> Expr:
 
 def _lambda(reader: ExprReader, node: Node) -> Expr:
     if node.child_by_field_name("body") is not None:
-        handed = reader.handed(node) if reader.handed is not None else None
-        if handed is not None:
-            return handed
-        reader.inline(node)
+        with reader.before():
+            handed = reader.handed(node) if reader.handed is not None else None
+            if handed is not None:
+                return handed
+            reader.inline(node)
     return Lambda(lambda_types(reader, node))
 
 
