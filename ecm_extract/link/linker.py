@@ -265,6 +265,7 @@ class Linker:
         is_choice = any("one_of" in (named.confidence, named.beside) for named, _ in names)
         for written, default in names:
             named = written if site.form.row.value else without_empty_default(written)
+            named = self.given.renamed(site, named, handle, node)
             value = of_node(named, node, ros)
             own = settled(named)
             local = local_parameter(own, handle, ros) if site.form.row.value else local_name(own, handle, node)

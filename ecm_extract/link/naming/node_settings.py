@@ -35,18 +35,20 @@ class Settings:
 
     Attributes:
         name, space: what it is called, and its namespace; None for what its source says.
+        rules: other names for those of endpoints; None for one that nobody knows.
         parameters: the values that stand for declared defaults; None for one that nobody knows.
         files: whether any other parameter may be given something.
     """
 
     name: Value | None = None
     space: Value | None = None
+    rules: dict[str, Value | None] = field(default_factory=dict)
     parameters: dict[str, Bound | None] = field(default_factory=dict)
     files: bool = False
 
     def __bool__(self) -> bool:
         """Whether it decides anything."""
-        return bool(self.name or self.space or self.parameters or self.files)
+        return bool(self.name or self.space or self.rules or self.parameters or self.files)
 
     def open(self) -> None:
         """Note that anything may be given."""
@@ -61,6 +63,8 @@ class Settings:
             self.name = target if sure else unknown("name")
         elif what == "__ns":
             self.space = target if sure else unknown("namespace")
+        else:
+            self.rules[what] = target if sure else None
 
     def of_parameter(self, name: str, default: Bound | None) -> Bound | None:
         """Return what a parameter begins with that is declared with a default."""
@@ -194,8 +198,11 @@ def _members(expr: Expr) -> Iterator[str]:
 
 
 def agreed(found: Sequence[Settings]) -> Settings:
-    """Return the values of parameters of a node that is made in several ways: known where all of them agree."""
+    """Return the rules and parameters of a node that is made in several ways: known where all of them agree."""
     whole = Settings(files=any(each.files for each in found))
+    for rule in {rule for each in found for rule in each.rules}:
+        targets = {each.rules.get(rule) for each in found}
+        whole.rules[rule] = targets.pop() if len(targets) == 1 else None
     for name in {name for each in found for name in each.parameters}:
         values = [each.parameters.get(name) for each in found]
         same = all(value is not None and values[0] is not None and value.expr == values[0].expr for value in values)
