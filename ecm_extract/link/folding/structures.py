@@ -15,6 +15,7 @@ from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, makers_of, named_parts
+from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
 from ecm_extract.link.running.values import Value, alternatives, demoted, parameter, unknown
@@ -249,7 +250,7 @@ class StructureFolder:
 
     def _followed(self, expr: Expr, env: Env) -> Bound | None:
         bound = self._made(expr, env) if env.depth < MAX_DEPTH else None
-        if bound is not None and isinstance(bound.expr, Name | Member):
+        if bound is not None and (isinstance(bound.expr, Name | Member) or taken(bound.expr) is not None):
             return self._origin(bound.expr, bound.env.deeper(env.depth + 1))
         return bound
 
