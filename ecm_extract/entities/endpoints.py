@@ -104,5 +104,5 @@ def comparable_name(entry: Interface) -> str:
     if entry.raw_name.startswith("~") and not entry.row.value:
         name = "~/" + entry.raw_name[1:].lstrip("/")
     elif entry.raw_name.startswith("~"):
-        name = entry.raw_name[1:].lstrip("/") if entry.name.startswith("/") else entry.name
+        name = entry.raw_name[1:].lstrip("/") if entry.name.startswith(("/", "~/")) else entry.name
     return _HOLE.sub(HOLE, name)

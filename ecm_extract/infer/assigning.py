@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque, Text
+from ecm_parsers.source.expr import MOVED, Call, Expr, Items, Member, Name, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names
@@ -17,7 +17,8 @@ from ecm_extract.infer.pointing import is_address, makes_pointer
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.unpacking import taken, unstarred
 from ecm_extract.link.code.containers import makes_tuple
-from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.numbers import NUMBERS
+from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.walk import children
 
 if TYPE_CHECKING:
@@ -41,6 +42,8 @@ class Assigning:
             return self.bind(target, Held("made", "", None, env, at), state)
         if statement.kind == "let" and statement.type.endswith("&"):
             return self._refer(target, value, at, env, state)
+        if value == MOVED and self._is_copied(target):
+            return state
         own_way = not self.frame.python and statement.kind == "set" and self.frame.judge.assigns_own_way(target, env)
         if isinstance(value, Opaque) or own_way:
             return self.bind(target, Held("lost", "", None, env, at), state)
@@ -49,6 +52,11 @@ class Assigning:
         self._refer_by_pointer(statement, state)
         state = self.bind(target, Held("value", "", value, env, at), state)
         return self._from_before(target, state) if statement.kept else state
+
+    def _is_copied(self, target: Expr | None) -> bool:
+        """Whether who moves from a variable of C++ only copies it: a number, a pointer, a constant."""
+        written = self.frame.env.func.written_types.get(self.frame.effects.key(target), "")
+        return written.endswith("*") or "const" in written.split() or plain(written) in NUMBERS
 
     def _from_before(self, target: Expr | None, state: State) -> State:
         """A variable that is kept between calls: what it begins with, or what a call before has left it with."""

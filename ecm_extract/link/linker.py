@@ -13,8 +13,8 @@ from ecm_parsers.source.expr import Name, Text
 
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
-from ecm_extract.link.declaring.listed import Listed, listed_parameters
-from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, name_argument, positions
+from ecm_extract.link.declaring.listed import defaults_of, listed_parameters
+from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, positions
 from ecm_extract.link.declaring.parameters import Home, Parameters
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
@@ -53,6 +53,7 @@ from ecm_extract.link.naming.names import (
 from ecm_extract.link.naming.node_names import NodeName, NodeNames
 from ecm_extract.link.naming.plugin_names import Names, with_own_names
 from ecm_extract.link.naming.sole_objects import SoleObjects
+from ecm_extract.link.naming.values_given import ValuesGiven
 from ecm_extract.link.owning.activation import Activation
 from ecm_extract.link.owning.built import files_of
 from ecm_extract.link.owning.made import units_of
@@ -116,7 +117,8 @@ class Linker:
         self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, makers))
         self.folder.prefixes = self.handles.prefix
         self.typing = EndpointTypes(self.folder, self.types)
-        self.names = NodeNames(self.folder, self.sites)
+        self.names = NodeNames(self.folder, self.sites, registry.classes)
+        self.given = ValuesGiven(self.names)
         self.generated = GeneratedParameters(self.sites, packages)
         self.parameter_sites: list[Site] = []
         self.helpers: frozenset[str] = frozenset()  # names of functions that lead to what is declared
@@ -144,6 +146,7 @@ class Linker:
         self.parameter_sites = self.sites.find(parameters=True)
         self._declare_defaults(self.parameter_sites)
         self.folder.forget()
+        self.given.forget()
 
     def attributed(self) -> list[LinkedModule]:
         """Return what `link` does, once parameters are declared."""
@@ -201,19 +204,13 @@ class Linker:
         for site in (each for each in sites if not each.form.fallback):
             owner = (site.owner,) if site.owner is not None else ()
             homes: tuple[Home, ...] = (site.root.file.package, site.root.file, *owner)
-            for each in self._defaults(site):
-                if each.default is not None and stated_type(each.default.expr) is None:
+            for each in defaults_of(site, self.sites.names(site), self.folder):
+                begun = self.given.of(site, each.name.text, each.default)
+                for home in homes if begun is not each.default else ():
+                    self.parameters.give_instead(each.name.text, home)
+                if begun is not None and stated_type(begun.expr) is None:
                     for home in homes:
-                        self.parameters.declare(each.name.text, home, (each.default.expr, each.default.env))
-
-    def _defaults(self, site: Site) -> Iterable[Listed]:
-        """The parameters of a site, by the names that it declares, with their defaults."""
-        if site.form.items:
-            return listed_parameters(site, self.folder)
-        default = next(positions(site.form.default, site.call), None)
-        if default is None or name_argument(site.form, site.call) is None:
-            return ()
-        return [Listed(name, Bound(default, site.env)) for name in self.sites.names(site)]
+                        self.parameters.declare(each.name.text, home, (begun.expr, begun.env))
 
     def _linked(
         self, module: Module, found: Mapping[Module, list[Interface]], nodes: Mapping[Cls, NodeName]
@@ -227,7 +224,7 @@ class Linker:
         stamped = tuple(dict.fromkeys(self._stamped.get(module, ())))
         told = tuple(dict.fromkeys(self._diagnosed.get(module, ())))
         node = self._node(module, nodes)
-        text, at = (node.text, node.at) if node is not None and "{" not in node.text else (None, None)
+        text, at = (node.text, node.at) if node is not None and not node.is_open and node.in_graph else (None, None)
         return LinkedModule(module, text, interfaces, local, claims, seen, managed, stamped, lines, told, at)
 
     def _node(self, module: Module, nodes: Mapping[Cls, NodeName]) -> NodeName | None:
@@ -241,7 +238,7 @@ class Linker:
         for unit in units_of(site, self.sites, self.modules):
             for module in self.ownership.owners(unit, site):
                 node = self._node(module, nodes)
-                self._give(site, unit, module, found[module], node.full if node is not None else None)
+                self._give(site, unit, module, found[module], node.in_graph if node is not None else None)
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
@@ -270,15 +267,15 @@ class Linker:
         is_choice = any("one_of" in (named.confidence, named.beside) for named, _ in names)
         for written, default in names:
             named = written if site.form.row.value else without_empty_default(written)
+            named = self.given.renamed(site, named, handle, node)
             value = of_node(named, node, ros)
             own = settled(named)
             local = local_parameter(own, handle, ros) if site.form.row.value else local_name(own, handle, node)
-            name, confidence = name_below(site, value, handle, node), value.confidence
+            name = name_below(site, value, handle, node)
             if is_never_made(value, name, ros) and not site.form.row.value:
                 continue
-            kind, data = self._typed(site, default)
-            if is_below_node(value):
-                confidence = known_beside(value)
+            kind, data = self._begun(site, name.resolved, default)
+            confidence = known_beside(value) if is_below_node(value) else value.confidence
             if not site.certain or (is_choice and named.confidence == "pattern"):
                 confidence = weaker(confidence, "one_of")  # the name of the node settles a text, no choice
             if is_below_handle(value):
@@ -300,6 +297,12 @@ class Linker:
                 needed=data in (None, UNKNOWN) and self.needed.has(site),
             )
             yield interface, LocalName((name.resolved,)) if site.is_absolute else local
+
+    def _begun(self, site: Site, name: str, default: Bound | None) -> tuple[str | None, Any]:
+        """The type that a site declares, and what it begins with."""
+        kind, data = self._typed(site, default)
+        given = self.given.of(site, name, default)
+        return kind, data if given is default else UNKNOWN if given is None else self._typed(site, given)[1]
 
     def _typed(self, site: Site, given: Bound | None) -> tuple[str | None, Any]:
         """The type and default of a site; where an object is made with these, what all places make it with."""

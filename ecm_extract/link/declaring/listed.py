@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from ecm_parsers.source.expr import Opaque
@@ -28,6 +28,16 @@ def listed_parameters(site: Site, folder: Folder) -> Iterator[Listed]:
         name, *rest = folder.lists.items(entry.expr, entry.env) or [Bound(Opaque("parameters"), entry.env)]
         for value in folder.lists.fold(name, site.env):
             yield from (Listed(_below(prefix, value), rest[0] if rest else None) for prefix in prefixes)
+
+
+def defaults_of(site: Site, names: Iterable[Value], folder: Folder) -> Iterable[Listed]:
+    """Return the parameters of a site, by the names that it declares, with their defaults."""
+    if site.form.items:
+        return listed_parameters(site, folder)
+    default = next(positions(site.form.default, site.call), None)
+    if default is None or name_argument(site.form, site.call) is None:
+        return ()
+    return [Listed(name, Bound(default, site.env)) for name in names]
 
 
 def _prefixes(site: Site, folder: Folder) -> tuple[Value, ...]:

@@ -36,6 +36,7 @@ class Parameters:
         self._defaults: dict[tuple[Home, str], tuple[Expr, Env] | Value] = {}
         self._several: set[tuple[Home, str]] = set()
         self._declared: set[tuple[str, str]] = set()
+        self._instead: set[tuple[Home, str]] = set()
         self._wrappers: dict[str, list[tuple[Func, str, str]]] = defaultdict(list)
 
     def read(self, call: Invocation) -> ParameterRead | None:
@@ -148,6 +149,14 @@ class Parameters:
         known = self._defaults.setdefault((home, name), default)
         if _written(known) != _written(default):
             self._several.add((home, name))
+
+    def give_instead(self, name: str, home: Home) -> None:
+        """Remember that what a class or a file declares is given something else by who makes its node."""
+        self._instead.add((home, name))
+
+    def is_given_instead(self, name: str, owners: Sequence[Cls | File]) -> bool:
+        """Tell whether a parameter has not the default that its call states."""
+        return any((owner, name) in self._instead for owner in owners)
 
     def declare_name(self, name: str, package: str) -> None:
         """Remember a parameter, with or without a default."""

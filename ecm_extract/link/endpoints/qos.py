@@ -90,6 +90,9 @@ class QosReader:
     def _of_kind(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
         if isinstance(expr, Number):
             return {"history": "keep_last", "depth": truncated(expr.value)}
+        listed = self.folder.tables.element(expr, env) if isinstance(expr, Call | Op) else None
+        if listed is not None:
+            return self.policies(listed.expr, listed.env.deeper(env.depth + 1), level + 1)
         if isinstance(expr, Call):
             return self._call(expr, env, level)
         preset = self._preset(expr, env, level)

@@ -145,7 +145,7 @@ class QosVariables:
         """A member of another object: what it is where that is handed on, or what the class of that makes of it."""
         structures = self.folder.structures
         kept = self.folder.kept.is_kept(expr.base, env)
-        handed = structures.handed(expr, env) if not kept else None
+        handed = (structures.handed(expr, env) or structures.part(expr, env)) if not kept else None
         if handed is not None:
             return self.profiles.policies(handed.expr, handed.env.deeper(env.depth + 1), level + 1)
         cls = self.folder.kept.class_of(expr, env) if kept else self.folder.objects.class_of(expr.base, env)

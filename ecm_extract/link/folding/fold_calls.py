@@ -25,7 +25,9 @@ from ecm_extract.link.folding import formats
 from ecm_extract.link.folding.conversions import converted
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of_parameter
+from ecm_extract.link.folding.of_templates import spelled
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
+from ecm_extract.link.folding.text_functions import TEXT_FUNCTIONS
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.other_nodes import asks_another_node
 from ecm_extract.link.running.own_names import node_namespace
@@ -40,6 +42,7 @@ from ecm_extract.link.running.values import (
     joined,
     literal,
     lowered,
+    parameter,
     setting,
     unknown,
 )
@@ -70,7 +73,7 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
     }
 )
 _CPP_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
-    {"bool": lambda data: truth(data[0], False) if len(data) == 1 else UNKNOWN}
+    {"bool": lambda data: truth(data[0], False) if len(data) == 1 else UNKNOWN, **TEXT_FUNCTIONS}
 )
 _PATH_JOINS = shipped_names(_TABLE, "paths")
 _PROPERTIES = shipped_names(_TABLE, "properties")
@@ -87,6 +90,15 @@ class CallFolder:
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
         call, env = self.folder.spreading.known(invocation_of(expr, env), env)
+        meant = spelled(call.path, env, self.folder.objects)
+        if not meant:
+            return (parameter(call.path, made=True),)
+        if meant != call.path:
+            return self.call(Call(Name(meant), expr.args, expr.keywords, expr.types, expr.line), env)
+        return self._of_function(call, expr, env)
+
+    def _of_function(self, call: Invocation, expr: Call, env: Env) -> tuple[Value, ...]:
+        """What a call gives by the name of its function."""
         if call.path.endswith("names::resolve") and len(call.args) == 1:
             return self._absolute(call.args[0], env.before(env.at))
         tidied = is_resolver(call.last) or gives_name(call.path)

@@ -20,7 +20,7 @@ from ecm_parsers.source.expr import (
 from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation, dotted_name
-from ecm_extract.link.code.containers import KEEPING, begins_empty, is_container
+from ecm_extract.link.code.containers import KEEPING, begins_empty, is_container, makes_tuple
 from ecm_extract.link.code.numbers import nothing_of
 from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.code.units import Cls
@@ -310,6 +310,8 @@ class ListFolder:
                 return work(self, call, env)
         elif call.receiver is None and is_container(call.path):
             return self._made(call, env)
+        elif makes_tuple(expr):
+            return [Bound(arg, env) for arg in expr.args]
         elif call.receiver is None and len(call.args) == 1 and call.path in KEEPING:
             return self.items(call.args[0], env)
         return self._returned(call, env)

@@ -14,6 +14,7 @@ from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import invocations
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
+from ecm_extract.link.folding.of_templates import spelled
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.module_variables import ModuleVariables
 from ecm_extract.link.running.shared_variables import SharedVariables
@@ -52,6 +53,9 @@ class NameFolder:
 
     def name(self, expr: Name, env: Env) -> tuple[Value, ...]:
         """A variable, a parameter, a member of `this`, or a constant."""
+        meant = spelled(expr.id, env, self.folder.objects)
+        if meant != expr.id:
+            return self.name(Name(meant), env) if meant else (parameter(expr.id, made=True),)
         return self.folder.once(expr.id, env, lambda: self._name(expr.id, env))
 
     def _name(self, name: str, env: Env) -> tuple[Value, ...]:

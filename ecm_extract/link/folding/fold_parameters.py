@@ -52,7 +52,8 @@ class ParameterFolder:
         names = self.folder.fold(name, env)
         owners: tuple[Cls | File, ...] = (*self._lineage(env), env.func.file)
         known = self.folder.reads.default(names[0].text, env.func.file.package, owners)
-        values = self.default_value(names[0].text, known, default, env)
+        stated = None if self.folder.reads.is_given_instead(names[0].text, owners) else default
+        values = self.default_value(names[0].text, known, stated, env)
         return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
 
     def default_value(

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import THIS, Expr, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Name
 
 from ecm_extract.infer.held import all_ways
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.containers import makes_tuple
 from ecm_extract.link.code.decorators import are_known, is_overload
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overloads import score
@@ -19,7 +20,7 @@ from ecm_extract.link.folding.fold_closures import ClosureFolder
 from ecm_extract.link.folding.names_of_nodes import told_by_node
 from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.running.arguments import bind
-from ecm_extract.link.running.env import Bound, Env, Instance
+from ecm_extract.link.running.env import Bound, Env, Instance, invocation_of
 from ecm_extract.link.running.object_states import is_own
 from ecm_extract.link.running.own_names import below_namespace
 from ecm_extract.link.running.values import (
@@ -116,6 +117,15 @@ class ReturnFolder:
         body = callee.fact.body
         found = [(body[at].value, inner.within(state, at)) for at, state in self.folder.flow.returned(run)]
         return [(value, place) for value, place in found if value is not None]
+
+    def shown(self, made: Bound) -> Bound:
+        """Return what a function of C++ makes in braces or as a tuple, where one is called; anything else as it is."""
+        if not isinstance(made.expr, Call) or made.env.func.file.language != "cpp" or makes_tuple(made.expr):
+            return made
+        call = invocation_of(made.expr, made.env)
+        callee = self.meant(call, made.env)
+        found = self.returned(callee, call, made.env) if callee is not None else []
+        return Bound(*found[0]) if len(found) == 1 and isinstance(found[0][0], Items | Call) else made
 
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""

@@ -13,6 +13,7 @@ from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import is_map
 from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
 from ecm_extract.link.code.own import is_own_member
+from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, constant, data_in, demoted, is_proved, unknown
 
@@ -81,7 +82,7 @@ class TableFolder:
         if isinstance(expr, Call):
             return self._entries_of_call(expr, env)
         if isinstance(expr, Op) and expr.op == "[]":
-            each = self._element(expr, env)
+            each = self.element(expr, env)
             return self.entries(each.expr, each.env.deeper(env.depth + 1)) if each is not None else None
         return self._entries_of_variable(expr, env) if isinstance(expr, Name | Member) else None
 
@@ -103,10 +104,13 @@ class TableFolder:
             return self.held_entries(*found[0]) if len(found) == 1 else None
         return self._declared_entries(expr, env)
 
-    def _element(self, expr: Op, env: Env) -> Bound | None:
-        """What a table has for a key, or a list at an index."""
-        entries = self.entries(expr.operands[0], env)
-        return self.folder.lists.element(expr, env) if entries is None else self.chosen(entries, expr.operands[1], env)
+    def element(self, expr: Expr, env: Env) -> Bound | None:
+        """Return what a table has for a key, or a list at an index: `table["a"]`, `table.at("a")`, `rows[0]`."""
+        place = taken(expr)
+        entries = self.entries(place[0], env) if place is not None else None
+        if place is None or entries is None:
+            return self.folder.lists.element(expr, env)
+        return self.chosen(entries, place[1], env)
 
     def _displayed(self, expr: Table, env: Env) -> list[Entry] | None:
         """The entries of a display, those of tables that it spreads in place."""

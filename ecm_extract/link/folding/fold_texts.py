@@ -12,6 +12,7 @@ from ecm_extract.link.folding.flat_lists import flat
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.own_names import node_namespace
 from ecm_extract.link.running.values import PARENT_NAMESPACE, Value, joined, unknown
+from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -21,6 +22,7 @@ _CPP_METHODS = frozenset(
     {"substr", "size", "length", "empty", "find", "rfind", "find_last_of", "find_first_of", "compare", "back", "front"}
     | {"starts_with", "ends_with"}
 )
+_LIST_JOINS = shipped_names("link/code/library_values.toml", "list_joins")
 _METHODS = frozenset(
     {"lower", "upper", "strip", "lstrip", "rstrip", "replace", "startswith", "endswith", "title", "capitalize", "count"}
     | {
@@ -46,6 +48,8 @@ class TextFolder:
 
     def value(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
         """Methods of texts: what is appended, joined or cut off; None for other calls."""
+        if call.path in _LIST_JOINS and len(call.args) == 2:
+            return self._joined(self.folder.fold(call.args[1], env), call.args[0], env)
         if call.receiver is None:
             return None
         python = env.func.file.language == "python"

@@ -22,6 +22,7 @@ _JOINING = shipped_names(_TABLE, "slashes")
 _MAX_INDEX = 6
 """Digits of an index that are read: no call has as many arguments."""
 _PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]")
+_NUMBERED = re.compile(r"%(\d{1,6})%")
 _BRACES = re.compile(r"\{([^{}:!]*)((?:![a-z])?)(?::([^{}]*))?\}")
 
 
@@ -58,6 +59,9 @@ def formatted(call: Invocation) -> list[Expr | str] | None:
         return _with_separator(args, "/")
     if call.last == "joinpath" and receiver is not None:
         return _with_separator((receiver, *args), "/")
+    printed = args[0] if call.path == "boost::str" and len(args) == 1 else receiver if call.last == "str" else None
+    if isinstance(printed, Op) and printed.op == "%":
+        return _of_boost(printed)
     if call.last == "concat" or call.path == "absl::StrCat":
         return list(args)
     return None
@@ -77,6 +81,26 @@ def percent(text: str, operand: Expr) -> list[Expr | str]:
         pieces.append(Op("format", (value, Text(spec))))
         position = match.end()
     return [*pieces, text[position:]]
+
+
+def _of_boost(printed: Expr) -> list[Expr | str] | None:
+    """Take `boost::format("%1%/%2%") % a % b` apart; None of another object."""
+    values: list[Expr] = []
+    while isinstance(printed, Op) and printed.op == "%" and len(printed.operands) == 2:
+        printed, value = printed.operands
+        values.insert(0, value)
+    made = printed.args if isinstance(printed, Call) and printed.callee == Name("boost::format") else ()
+    if len(made) != 1 or not isinstance(made[0], Text):
+        return None
+    text = made[0].value
+    if _NUMBERED.search(text) is None:
+        return percent(text, Items(tuple(values)))
+    pieces = _NUMBERED.split(text)
+    known = [values[int(at) - 1] if 0 < int(at) <= len(values) else Name("value") for at in pieces[1::2]]
+    found: list[Expr | str] = [*pieces[:1]]
+    for value, rest in zip(known, pieces[2::2], strict=True):
+        found += [value, rest]
+    return found if not any("%" in each for each in pieces[::2]) else [Name("value")]
 
 
 def braces(text: str, args: Sequence[Expr], keywords: dict[str, Expr]) -> list[Expr | str]:

@@ -11,7 +11,7 @@ from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.running.env import Env, invocation_of
-from ecm_extract.link.running.values import Value, alternatives, constant, demoted, unknown
+from ecm_extract.link.running.values import Value, alternatives, constant, demoted, unknown, without_defaults
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 _TYPE: Final = "optional"
 _NOTHING: Final = frozenset({"nullopt", "none"})
 """en.cppreference.com, std::nullopt; boost.org, boost::none."""
+_ELSEWHERE: Final = frozenset({"given", "shared", "handed"})
+"""Ways to hold an optional that the function at hand does not decide."""
 _MAKING_TEXT: Final = frozenset({"string", "to_string", "substr", "append", "c_str", "str"})
 _NO_VALUE_OF_ITS_OWN: Final = frozenset({"[]", "&", "*", "?:"})
 
@@ -52,6 +54,9 @@ class OptionalFolder:
         """What it holds, else what is given instead."""
         values: list[Value] = []
         helds = self._helds(expr, env)
+        if not helds:  # whoever calls, or makes the object, knows
+            left = tuple(map(without_defaults, self.folder.fold(expr, env)))
+            return left if all(value.open("param") | value.open("made") for value in left) else (unknown("value"),)
         for held in helds:
             full = self._is_full(held)
             values += [unknown("value")] if full is None else self.folder.held.values(held, env) if full else []
@@ -61,7 +66,10 @@ class OptionalFolder:
 
     def _helds(self, expr: Expr, env: Env) -> list[Held]:
         ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
-        return list(dict.fromkeys(held for way in ways for held in way)) or [Held("lost", "")]
+        found = [held for way in ways for held in way]
+        if all(held.how in _ELSEWHERE for held in found):
+            found = self.folder.origins.of(expr, env)
+        return list(dict.fromkeys(found))
 
     def _is_one(self, expr: Expr, env: Env) -> bool:
         if env.func.file.language != "cpp":

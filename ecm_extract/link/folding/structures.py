@@ -15,6 +15,7 @@ from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, makers_of, named_parts
+from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
 from ecm_extract.link.running.values import Value, alternatives, demoted, parameter, unknown
@@ -53,7 +54,7 @@ class StructureFolder:
         made = self._constructed(expr, env)
         if made:
             return made
-        bound = self._part(expr, env)
+        bound = self.part(expr, env)
         if bound is None:
             return self._left_out(expr, env)
         return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
@@ -188,7 +189,7 @@ class StructureFolder:
     def _is_changed(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether an object was given a value that does not show what it is made from."""
         given = any(held.how not in _DECLARED for held in self._helds(expr, env))
-        given = given or (isinstance(expr, Member) and self._part(expr, env) is not None)
+        given = given or (isinstance(expr, Member) and self.part(expr, env) is not None)
         return given and self._parts(expr, env) is None
 
     def _passed(self, name: str, env: Env) -> Value | None:
@@ -198,7 +199,8 @@ class StructureFolder:
         is_param = any(entry.name == name for entry in env.func.fact.params)
         return parameter(name, env.func.is_constructor) if is_param else None
 
-    def _part(self, expr: Member, env: Env) -> Bound | None:
+    def part(self, expr: Member, env: Env) -> Bound | None:
+        """Return what a field is where its object is made; None where that gives it nothing."""
         parts = self._parts(expr.base, env)
         named = dict(named_parts(parts or ()))
         if expr.name in named:
@@ -226,7 +228,8 @@ class StructureFolder:
 
     def _parts(self, expr: Expr, env: Env) -> list[Bound] | None:
         """Return the values that an object is made from, in order."""
-        bound = self._origin(expr, env)
+        bound = self._origin(expr, env) or (Bound(expr, env) if isinstance(expr, Call) else None)
+        bound = self.folder.returns.shown(bound) if bound is not None else None
         made = bound.expr if bound is not None else None
         if bound is None or not isinstance(made, Items | Call):
             return None
@@ -247,7 +250,7 @@ class StructureFolder:
 
     def _followed(self, expr: Expr, env: Env) -> Bound | None:
         bound = self._made(expr, env) if env.depth < MAX_DEPTH else None
-        if bound is not None and isinstance(bound.expr, Name | Member):
+        if bound is not None and (isinstance(bound.expr, Name | Member) or taken(bound.expr) is not None):
             return self._origin(bound.expr, bound.env.deeper(env.depth + 1))
         return bound
 
@@ -297,7 +300,7 @@ class StructureFolder:
         whole = self._made(expr.base, env) if env.depth < MAX_DEPTH else None
         if whole is not None and isinstance(whole.expr, Name | Member):
             return Bound(Member(whole.expr, expr.name), whole.env)
-        return self._part(expr, env) or (self._left_by_maker(expr, whole, env) if whole is not None else None)
+        return self.part(expr, env) or (self._left_by_maker(expr, whole, env) if whole is not None else None)
 
     def _left_by_maker(self, expr: Member, whole: Bound, env: Env) -> Bound | None:
         """What the one constructor that can have made an object gives a member of it."""
@@ -330,7 +333,7 @@ class StructureFolder:
             return None
         bound, found = self._origin(expr.base, env), self.folder.scope.constant(root, env)
         if bound is not None or found is not None:
-            return self._part(expr, env)
+            return self.part(expr, env)
         default = cls.fields[expr.name].default if expr.name in cls.fields and not makers_of(cls) else None
         return Bound(default, Env(env.func, depth=env.depth + 1, this=cls)) if default is not None else None
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Final, NamedTuple
 
 from ecm_checker.contract import Confidence
-from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Opaque
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
 from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.link.code.calls import Invocation
@@ -18,6 +18,7 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.naming.carriers import carriers
 from ecm_extract.link.naming.given_handles import given_namespace
 from ecm_extract.link.naming.host_arguments import HostArguments
+from ecm_extract.link.naming.node_settings import NodeSettings
 from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, invocation_of
@@ -37,12 +38,10 @@ _SAME = frozenset(
 _TEXTS: Final = ("string", "char")
 
 
+_REMAPPINGS: Final = frozenset({"M_string", "map"})
 NODE_NAME: Final = "arg:0|kw:node_name"
 NODE_SPACE: Final = "kw:namespace"
 """Where a node of rclpy is given its name and its namespace."""
-
-
-_NS: Final = "__ns:="
 
 
 class Handle(NamedTuple):
@@ -85,6 +84,7 @@ class Handles:
         self.folder = folder
         self.hosts = hosts
         self.sole = sole
+        self.settings = NodeSettings(folder)
         self._handing: set[tuple[Func, str]] = set()
 
     def of(self, expr: Expr | None, env: Env, only: bool = False) -> Handle:
@@ -242,12 +242,20 @@ class Handles:
         if not args:
             return OWN
         first = args[0]
+        if self._remaps(args[1:], env):
+            return Handle(unknown("remapped"))
         if not isinstance(first, Name | Member | Call | Op) or self._says_text(first, env):
             return _of_any(self.folder.fold(first, env))
         parent = self._known(first, env, depth + 1)
         if len(args) < 2:
             return parent
         return self._nested(parent or Handle(unknown(_label(first))), args[1], env)
+
+    def _remaps(self, args: Sequence[Expr], env: Env) -> bool:
+        """Tell whether a handle is given names that stand for others below it (ros/node_handle.h, `M_string`)."""
+        given = [arg for arg in args if last_name(plain(self.folder.objects.type_of(arg, env))) in _REMAPPINGS]
+        named = [arg for arg in given if not isinstance(arg, Call) or arg.args]
+        return any(self.folder.tables.entries(arg, env) != [] for arg in named)
 
     def _says_text(self, expr: Expr, env: Env) -> bool:
         """Tell whether a handle is made of a namespace, and not of another handle."""
@@ -264,22 +272,26 @@ class Handles:
         return _of_any([under(one.prefix, each) for one in parent.each() for each in names], parent.node)
 
     def _new_node(self, args: Sequence[Expr], env: Env) -> Handle:
-        name = self.folder.fold(args[0], env)[0]
-        if len(args) < 2 or not self._is_namespace(args[1], env):
+        settings = self.settings.of(args[1:], (), env)
+        name = settings.name or self.folder.fold(args[0], env)[0]
+        named = len(args) > 1 and self._is_namespace(args[1], env)
+        space = settings.space or (self.folder.fold(args[1], env)[0] if named else None)
+        if space is None:
             return Handle(literal(""), name)
-        space = self.folder.fold(args[1], env)[0]
         own = space.parts == node_namespace().parts  # that of the node which makes it
         return Handle(literal(""), name if own else under(space, name))
 
     def _python_node(self, call: Invocation, env: Env) -> Handle | None:
         """A node of rclpy, whose namespace is a keyword; None of one without a name, which a class has of its own."""
-        name, space = next(positions(NODE_NAME, call), None), space_given(call, env, self.folder)
+        name, space = next(positions(NODE_NAME, call), None), next(positions(NODE_SPACE, call), None)
         if name is None:
             return None
-        named = self.folder.fold(name, env)[0]
-        if space is None or space == NULL:
+        settings = self.settings.of((), call.keywords, env)
+        named = settings.name or self.folder.fold(name, env)[0]
+        found: tuple[Value, ...] = (settings.space,) if settings.space is not None else ()
+        if not found and (space is None or space == NULL):
             return Handle(literal(""), named)
-        found = self.folder.fold(space, env)
+        found = found or self.folder.fold(space, env)
         return Handle(literal(""), under(found[0] if len(found) == 1 else unknown("namespace"), named))
 
     def _is_namespace(self, expr: Expr, env: Env) -> bool:
@@ -293,14 +305,6 @@ def _of_any(prefixes: Sequence[Value], node: Value | None = None) -> Handle:
     """The handle that has one of several prefixes."""
     first, *others = unique(prefixes)
     return Handle(first, node, tuple(others))
-
-
-def space_given(call: Invocation, env: Env, folder: Folder) -> Expr | None:
-    """Return the namespace that a node of rclpy is given; one that its arguments of a command line remap is open."""
-    remaps = folder.lists.items(next(positions("kw:cli_args", call), None), env) or ()
-    if any(_NS in value.text for each in remaps for value in folder.lists.fold(each, env)):
-        return Opaque("namespace")
-    return next(positions(NODE_SPACE, call), None)
 
 
 def under(prefix: Value, name: Value) -> Value:

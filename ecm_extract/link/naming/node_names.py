@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -20,7 +20,9 @@ from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.library_functions import library_function
 from ecm_extract.link.index.module_kinds import is_node_base
-from ecm_extract.link.naming.handles import NODE_NAME, space_given
+from ecm_extract.link.naming.anonymous import is_anonymous
+from ecm_extract.link.naming.handles import NODE_NAME, NODE_SPACE
+from ecm_extract.link.naming.node_settings import NodeSettings, Settings, agreed
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, Instance
 from ecm_extract.link.running.values import Value, is_known, unknown
@@ -36,16 +38,27 @@ _NAMING = ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_sh
 
 @dataclass(frozen=True, slots=True)
 class NodeName:
-    """The name that a node gives itself, the line that says it, and the namespace that it puts itself in."""
+    """The name that a node gives itself, the line that says it, and the namespace that it puts itself in.
+
+    One that is `anonymous` gets a number behind its name when it starts: nobody knows what it is called. `settings` is
+    what is given beside the name, None where nothing can be.
+    """
 
     text: str
     at: Evidence
     space: str = ""
+    anonymous: bool = False
+    settings: Settings | None = None
 
     @property
     def full(self) -> str:
         """Return the name with the namespace before it."""
         return f"{self.space}/{self.text}" if self.space else self.text
+
+    @property
+    def in_graph(self) -> str | None:
+        """Return the same as names below it have it; None of one that is anonymous."""
+        return None if self.anonymous else self.full
 
     @property
     def is_open(self) -> bool:
@@ -55,29 +68,53 @@ class NodeName:
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """What a node is made with: its name, and what may be its namespace."""
+    """What a node is made with: its name, what may be its namespace, and what else it is given."""
 
     name: Expr
     space: Expr | None
+    args: Sequence[Expr] = ()
+    keywords: Sequence[tuple[str, Expr]] = ()
 
 
 class NodeNames:
-    """Finds the name that a class or program gives its node."""
+    """Finds the name that a class or program gives its node; others make objects of classes that are `registered`."""
 
-    def __init__(self, folder: Folder, sites: Sites) -> None:
+    def __init__(self, folder: Folder, sites: Sites, registered: Collection[Cls]) -> None:
         self.folder = folder
         self.sites = sites
+        self.registered = registered
+        self.settings = NodeSettings(folder)
         self._free: dict[File, list[Invocation]] | None = None
 
     def of_class(self, cls: Cls) -> NodeName | None:
         """Return the name that the class passes to its node base, None when it is not fixed."""
         found = self._passed_on(Instance(cls, {}, {}))
         if found is not None and not found.is_open:
-            return found
+            return self._renamed(found, cls) if found.settings is not None else found
         made = self._makings(cls)
         told = _agreed(made) or self._left_to_another(cls) or self._by_default(cls) or found
         others = {name.space for name in made if name is not None}
         return replace(told, space=_OPEN_SPACE) if told is not None and others - {told.space} else told
+
+    def _renamed(self, found: NodeName, cls: Cls) -> NodeName:
+        """The name that a class states, or the one that all who make its node give it instead by their options."""
+        made = [name for name in self._makings(cls) if name is not None] + [found] * (cls in self.registered)
+        if all(name.full == found.full for name in made):
+            return found
+        return _agreed(made) or replace(found, text=_OPEN, space=_OPEN_SPACE)
+
+    def settings_of(self, unit: Cls | Func) -> Settings:
+        """Return what parameters of the node of a class or of a program are given instead of their defaults."""
+        if isinstance(unit, Func):
+            name = self.of_program(unit)
+            return name.settings or Settings() if name is not None else Settings()
+        made = [name for cls in (unit, *self.folder.program.derived(unit)) for name in self._makings(cls)]
+        found = [name.settings or Settings() for name in made if name is not None] or [self._own_settings(unit)]
+        return agreed(found + [self._own_settings(unit)] * (unit in self.registered))
+
+    def _own_settings(self, cls: Cls) -> Settings:
+        found = self._passed_on(Instance(cls, {}, {}))
+        return found.settings or Settings() if found is not None else Settings()
 
     def _by_default(self, cls: Cls) -> NodeName | None:
         """The name that a class gives its node where nobody is seen to give it arguments."""
@@ -124,21 +161,29 @@ class NodeNames:
         value, target = statement.value, statement.target
         if statement.kind == "init" and isinstance(target, Name) and is_node_base(plain(target.id)):
             args = value.args if isinstance(value, Call) and value.callee == target else (value,)
-            return _given(args[0] if args else None, args[1] if len(args) > 1 else None), env
+            given = [arg for arg in args if arg is not None]
+            return (Given(given[0], given[1] if len(given) > 1 else None, given[1:]) if given else None), env
         if isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == "__init__":
             call, place = self.folder.spreading.whole(value, env)
             own = structs.replace(call, args=call.args[1:] if call.args[:1] == (THIS,) else call.args)
-            return _given(next(positions(NODE_NAME, own), None), space_given(own, place, self.folder)), place
+            name = next(positions(NODE_NAME, own), None)
+            space = next(positions(NODE_SPACE, own), None)
+            return (Given(name, space, (), own.keywords) if name is not None else None), place
         return None, env
 
     def _named(self, given: Given, env: Env, at: Evidence) -> NodeName | None:
-        name = _known(self.folder.fold(given.name, env), at)
-        if given.space is None or not self._is_text(given.space, env):
-            return name
-        values = self.folder.fold(given.space, env)
-        value = values[0] if len(values) == 1 else unknown("namespace")
-        space = value.text.strip("/")
-        return replace(name or NodeName(_OPEN, at), space=space) if space or name is not None else None
+        settings = self.settings.of(given.args, given.keywords, env) if given.args or given.keywords else None
+        values = (settings.name,) if settings and settings.name is not None else self.folder.fold(given.name, env)
+        name = _known(values, at)
+        spaces = self._spaces(given.space, env)
+        spaces = (settings.space,) if settings and settings.space is not None else spaces
+        space = (spaces[0] if len(spaces) == 1 else unknown("namespace")).text.strip("/") if spaces else ""
+        if name is None and not space and not settings:
+            return None
+        return replace(name or NodeName(_OPEN, at), space=space, settings=settings)
+
+    def _spaces(self, space: Expr | None, env: Env) -> tuple[Value, ...]:
+        return self.folder.fold(space, env) if space is not None and self._is_text(space, env) else ()
 
     def _is_text(self, expr: Expr, env: Env) -> bool:
         """Tell whether the second argument of a node is its namespace; options are an object, in Python it is named."""
@@ -188,9 +233,13 @@ class NodeNames:
         python = call.func.file.language == "python"
         name = next(positions(f"arg:{index}|kw:node_name|kw:name" if python else f"arg:{index}", own), None)
         after = f"arg:{index + 1}" if is_node_base(call.path) else ""
-        space = space_given(own, env, self.folder) if python else next(positions(after, own), None)
-        space = space if named not in _SPACELESS else None
-        return self._named(Given(name, space), env, _place(call)) if name is not None else None
+        space = next(positions(NODE_SPACE if python else after, own), None)
+        given = Given(name, space, own.args[1:], own.keywords) if name is not None else None
+        if given is not None and named in _SPACELESS:
+            given = Given(given.name, None)
+        found = self._named(given, env, _place(call)) if given is not None else None
+        anonymous = found is not None and named is not None and is_anonymous(named, call, env, self.folder)
+        return replace(found, anonymous=True) if found is not None and anonymous else found
 
 
 def _by_default(func: Func) -> dict[str, Bound]:
@@ -198,10 +247,6 @@ def _by_default(func: Func) -> dict[str, Bound]:
     stars = [parameter.name for parameter in func.fact.params if parameter.name.startswith("*")]
     more = {name.lstrip("*"): Bound(Table(()) if name.startswith("**") else Items(()), Env(func)) for name in stars}
     return more | {name: Bound(default, Env(func)) for name, default in func.defaults}
-
-
-def _given(name: Expr | None, space: Expr | None) -> Given | None:
-    return Given(name, space) if name is not None else None
 
 
 def _agreed(found: Sequence[NodeName | None]) -> NodeName | None:

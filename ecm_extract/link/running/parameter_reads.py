@@ -58,6 +58,9 @@ class ParameterReads(Protocol):
     def is_declared(self, name: str, package: str) -> bool:
         """Tell whether a package declares a parameter, with a default or without."""
 
+    def is_given_instead(self, name: str, owners: Sequence[Cls | File]) -> bool:
+        """Tell whether a parameter has not the default that its call states, as its node is given something else."""
+
     def default(self, name: str, package: str, owners: Sequence[Cls | File] = ()) -> tuple[Expr, Env] | Value | None:
         """Return the declared default of a parameter: by its owners first, then by the package where it has one."""
 

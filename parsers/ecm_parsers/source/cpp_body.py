@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
+from ecm_parsers.source.cpp_algorithms import rounds_of
 from ecm_parsers.source.cpp_assigning import Assigning
 from ecm_parsers.source.cpp_binding import Binding
 from ecm_parsers.source.cpp_captures import Captures, capturing
@@ -13,13 +14,13 @@ from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_heads import hides, macro_test
 from ecm_parsers.source.cpp_lambdas import DeclaredFunctions, as_function, lambda_parameters, lambda_traits, place_name
+from ecm_parsers.source.cpp_loops import Loops
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_raising import type_thrown, types_caught
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of, otherwise
-from ecm_parsers.source.cpp_vexing import loop_macro
 from ecm_parsers.source.expr import Constant, Expr, Lambda, Name, Op, Opaque
 from ecm_parsers.source.facts import Function
-from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Later, Leave, Loop, Switch
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Later, Leave, Switch
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -45,12 +46,14 @@ class BodyReader:
         self.writer = StatementWriter()
         within = Changes(self.writer).within
         self.expr = ExprReader(data, self._lambda_body, self._called_lambda, self._handed_lambda, within)
+        self.expr.moved = self.writer.moved
         self.scope = scope
         self.declared = declared
         self.functions: list[Function] = []
         self.local_names: list[Node] = []
         self._binding = Binding(self.expr, self.writer, self._named_lambda)
         self._assigning = Assigning(self.expr, self.writer, self._binding.buffers)
+        self._loops = Loops(self, self._assigning, self._binding)
         self._captures = Captures()
         self._nesting = 0
         self._entering = False
@@ -61,7 +64,7 @@ class BodyReader:
             return
         self._nesting += 1
         if node.type == "compound_statement" and self._nesting > 1 and not self._entering:
-            self.writer.step(Branch(_TRUE, self._inner(node, deeper=0)))
+            self.writer.step(Branch(_TRUE, self.inner(node, deeper=0)))
         elif node.type in _BLOCKS:
             self._entering = False
             for child in node.named_children:
@@ -77,7 +80,11 @@ class BodyReader:
 
     def _expressions(self, node: Node) -> None:
         for child in node.named_children:
-            self._assigning.expression(child)
+            rounds = rounds_of(self.expr, child)
+            if rounds is not None:
+                self._loops.of_algorithm(child, rounds)
+            else:
+                self._assigning.expression(child)
 
     def _local_name(self, node: Node) -> None:
         self.local_names.append(node)
@@ -88,7 +95,7 @@ class BodyReader:
             if child.type == "field_initializer" and child.named_children:
                 self._binding.initializer(child)
 
-    def _inner(self, *nodes: Node | None, deeper: int = 1) -> Block:
+    def inner(self, *nodes: Node | None, deeper: int = 1) -> Block:
         """Read statements as a block of their own and return their flow."""
         self.writer.begin()
         self.writer.depth += deeper
@@ -108,7 +115,7 @@ class BodyReader:
             cases.append(self._tested(other))
             other = otherwise(other)
         self.writer.depth -= 1
-        rest = self._inner(other)
+        rest = self.inner(other)
         if len(cases) == 1:
             self.writer.step(Branch(cases[0].tests[0], cases[0].body, rest))
         else:
@@ -116,47 +123,8 @@ class BodyReader:
 
     def _tested(self, node: Node) -> Case:
         """One condition with what runs when it holds."""
-        test = self._condition(node.child_by_field_name("condition"))
-        return Case((test,), self._inner(node.child_by_field_name("consequence"), deeper=0))
-
-    def _while(self, node: Node) -> None:
-        asked, first = node.child_by_field_name("condition"), node.type == "do_statement"
-        self.writer.depth += 1
-        test, again = (None, ()) if first else self._asked_again(asked)
-        body = self._inner(node.child_by_field_name("body"), deeper=0)
-        if first:
-            self.writer.begin()
-            test, again = self._condition(asked), self.writer.end()
-        self.writer.depth -= 1
-        self.writer.step(Loop(-1, test, body, again, first=first))
-
-    def _asked_again(self, asked: Node | None) -> tuple[Expr, Block]:
-        """Return the condition of a loop, and what it assigns each time that it is asked."""
-        before = len(self.writer.statements)
-        test = self._condition(asked)
-        return test, self.writer.assigned_since(before)
-
-    def _for(self, node: Node) -> None:
-        self.writer.depth += 1
-        start, update = node.child_by_field_name("initializer"), node.child_by_field_name("update")
-        if start is not None:
-            self.read(start) if start.type == "declaration" else self._assigning.expression(start)
-        asked = node.child_by_field_name("condition")
-        test, again = self._asked_again(asked) if asked is not None else (None, ())
-        body = self._inner(node.child_by_field_name("body"), deeper=0)
-        self.writer.begin()
-        if update is not None:
-            self._assigning.expression(update)
-        self.writer.depth -= 1
-        self.writer.step(Loop(-1, test, body, (*self.writer.end(), *again)))
-
-    def _for_each(self, node: Node) -> None:
-        self.writer.depth += 1
-        declarator, over = node.child_by_field_name("declarator"), node.child_by_field_name("right")
-        each = self._binding.each(node, over, declarator) if declarator is not None and over is not None else -1
-        body = self._inner(node.child_by_field_name("body"), deeper=0)
-        self.writer.depth -= 1
-        self.writer.step(Loop(each, None, body))
+        test = self.condition(node.child_by_field_name("condition"))
+        return Case((test,), self.inner(node.child_by_field_name("consequence"), deeper=0))
 
     def _preprocessed(self, node: Node) -> None:
         """`#if`: which side a build takes is not known here."""
@@ -164,8 +132,8 @@ class BodyReader:
         named = node.child_by_field_name("name") or node.child_by_field_name("condition")
         rest = [child for child in node.named_children if child not in (other, named)]
         test = macro_test(self.expr, node, named)
-        then = self._inner(*rest, deeper=0)
-        otherwise = self._inner(other, deeper=0)
+        then = self.inner(*rest, deeper=0)
+        otherwise = self.inner(other, deeper=0)
         if node.type == "preproc_else":
             for step in then:
                 self.writer.step(step)
@@ -173,7 +141,7 @@ class BodyReader:
             self.writer.step(Branch(test, then, otherwise))
 
     def _switch(self, node: Node) -> None:
-        subject = self._condition(node.child_by_field_name("condition"))
+        subject = self.condition(node.child_by_field_name("condition"))
         body = node.child_by_field_name("body")
         self.writer.depth += 1
         cases = [self._case(child) for child in body.named_children] if body is not None else []
@@ -186,12 +154,12 @@ class BodyReader:
         value = node.child_by_field_name("value")
         rest = [child for child in node.named_children if child != value]
         tests = (self.expr.read(value),) if value is not None else ()
-        return Case(tests, self._inner(*rest, deeper=0))
+        return Case(tests, self.inner(*rest, deeper=0))
 
     def _try(self, node: Node) -> None:
         clauses = [child for child in node.named_children if child.type == "catch_clause"]
-        body = self._inner(node.child_by_field_name("body"))
-        blocks = [self._inner(clause.child_by_field_name("body"), deeper=2) for clause in clauses]
+        body = self.inner(node.child_by_field_name("body"))
+        blocks = [self.inner(clause.child_by_field_name("body"), deeper=2) for clause in clauses]
         types = [types_caught(self.expr, clause) for clause in clauses]
         self.writer.step(Attempt(body, tuple(map(Handler, types, blocks))))
 
@@ -199,20 +167,7 @@ class BodyReader:
         self._expressions(node)
         self.writer.step(Leave("throw", type_thrown(self.expr, node)))
 
-    def _macro_block(self, node: Node) -> None:
-        """`BOOST_FOREACH(const T & item, list) { ... }` reads as a function; within a body none can stand."""
-        if node.child_by_field_name("type") is not None:
-            return
-        self.writer.depth += 1
-        declarator, body = node.child_by_field_name("declarator"), node.child_by_field_name("body")
-        loop = loop_macro(self.expr, declarator) if declarator is not None else None
-        each = -1
-        if loop is not None:
-            each = self.writer.apart(node, loop[1], Name(declared_name(self.expr, loop[0])))
-        self.writer.step(Loop(each, None, self._inner(body, deeper=0)))
-        self.writer.depth -= 1
-
-    def _condition(self, node: Node | None) -> Expr:
+    def condition(self, node: Node | None) -> Expr:
         """Return a condition; what it declares, assigns or calls is a step of its own."""
         if node is None:
             return Opaque("")
@@ -235,6 +190,9 @@ class BodyReader:
         return read
 
     def _return(self, node: Node) -> None:
+        if self._loops.round is not None:
+            self._loops.result(node, self._loops.round)
+            return
         values = [child for child in node.named_children if child.type != "comment"]
         for child in values:
             if child.type == "lambda_expression":
@@ -305,9 +263,11 @@ class BodyReader:
     def _lambda_body(self, node: Node) -> None:
         given = [parameter.name for parameter in lambda_parameters(self.expr, node)]
         names = (*given, *self._captured(node))
+        around, self._loops.round = self._loops.round, None
         self.writer.lambdas += 1
-        self.writer.step(Later(self._inner(node.child_by_field_name("body")), names))
+        self.writer.step(Later(self.inner(node.child_by_field_name("body")), names))
         self.writer.lambdas -= 1
+        self._loops.round = around
 
     def _captured(self, node: Node) -> list[str]:
         """Read what a lambda evaluates when it is made; return the names by which its body has that."""
@@ -331,13 +291,13 @@ _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
     "continue_statement": lambda body, _: body.writer.step(Leave("continue")),
     "throw_statement": BodyReader._throw,
     "if_statement": BodyReader._if,
-    "while_statement": BodyReader._while,
-    "do_statement": BodyReader._while,
-    "for_statement": BodyReader._for,
-    "for_range_loop": BodyReader._for_each,
+    "while_statement": lambda body, node: body._loops.repeated(node),
+    "do_statement": lambda body, node: body._loops.repeated(node),
+    "for_statement": lambda body, node: body._loops.counted(node),
+    "for_range_loop": lambda body, node: body._loops.over(node),
     "switch_statement": BodyReader._switch,
     "try_statement": BodyReader._try,
-    "function_definition": BodyReader._macro_block,
+    "function_definition": lambda body, node: body._loops.by_macro(node),
     "preproc_if": BodyReader._preprocessed,
     "preproc_ifdef": BodyReader._preprocessed,
     "preproc_else": BodyReader._preprocessed,

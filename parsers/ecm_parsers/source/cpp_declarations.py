@@ -25,7 +25,7 @@ from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
 from ecm_parsers.source.cpp_parameters import declared_name, parameters, specialized
 from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.cpp_vexing import is_call_of_macro
-from ecm_parsers.source.expr import Call, Expr, Items, Name
+from ecm_parsers.source.expr import Call, Expr, Items, Name, Number, Op
 from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile, Using
 
 if TYPE_CHECKING:
@@ -298,11 +298,21 @@ class DeclarationReader:
         scope = "::".join(part for part in (place.scope, own) if part)
         scoped = any(child.type in {"class", "struct"} for child in node.children)
         traits = (*place.traits(), "enum", *(("scoped",) if scoped else ()))
+        read: Expr | None = Number(-1)
         for child in body.named_children:
             label, value = child.child_by_field_name("name"), child.child_by_field_name("value")
             if child.type == "enumerator" and label is not None:
-                read = self.expr.read(value) if value is not None else None
+                read = self.expr.read(value) if value is not None else _following(read)
                 self.constants.append(Constant(self.expr.text(label), scope, read, lines_of(child)[0], own, traits))
+            elif child.type != "comment":
+                read = None  # `#if` decides which of them there are
+
+
+def _following(before: Expr | None) -> Expr | None:
+    """The value of an enumerator that is given none: one more than the one before it has. Source: [dcl.enum]."""
+    if isinstance(before, Number):
+        return Number(before.value + 1)
+    return Op("+", (before, Number(1))) if before is not None else None
 
 
 _DECLARATIONS = {

@@ -6,7 +6,8 @@ since what happens in a callback happens in the module that wrote it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from ecm_parsers.numbers import truncated
@@ -15,6 +16,7 @@ from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
 from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.expr import (
+    MOVED,
     THIS,
     Call,
     Expr,
@@ -37,7 +39,7 @@ _CASTS = frozenset(
         "dynamic_cast",
         "const_cast",
         "reinterpret_cast",
-        "std::move",
+        MOVED.text,
         "std::forward",
         "std::ref",
         "std::cref",
@@ -54,6 +56,7 @@ class ExprReader:
         called: called with each lambda that is called where it stands; gives the function that it is read as.
         handed: called with every other one; gives what it is where it is read as a function as well.
         own: variables that are the object at hand by another name.
+        moved: variables that were moved from since somebody emptied it.
         changed: called with what changes a variable; gives what the expression gets, None for no change within one.
     """
 
@@ -71,6 +74,7 @@ class ExprReader:
         self.handed = handed
         self.changed = changed
         self.own: set[str] = set()
+        self.moved: list[Name] = []
         self._depth = 0
 
     def text(self, node: Node) -> str:
@@ -91,6 +95,14 @@ class ExprReader:
             return reader(self, node)
         finally:
             self._depth -= 1
+
+    @contextmanager
+    def before(self) -> Iterator[None]:
+        """Read what becomes statements before the one at hand: what that moves from is moved behind it."""
+        around = self.moved[:]
+        self.moved.clear()
+        yield
+        self.moved[:0] = around
 
     def arguments(self, node: Node | None) -> tuple[Expr, ...]:
         """Return the expressions of an argument or initialiser list."""
@@ -154,7 +166,10 @@ def _call(reader: ExprReader, node: Node) -> Expr:
     if function.type in {"identifier", "template_function", "qualified_identifier"}:
         name = reader.name(function)
         if name in _CASTS and listed is not None and listed.named_child_count == 1:
-            return _cast(reader.read(listed.named_children[0]), reader.template_arguments(function))
+            value = reader.read(listed.named_children[0])
+            if name == MOVED.text and isinstance(value, Name):
+                reader.moved.append(value)
+            return _cast(value, reader.template_arguments(function))
     callee = _called_lambda(reader, function) or reader.read(function)
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
     types = reader.template_arguments(function)
@@ -167,7 +182,8 @@ def _called_lambda(reader: ExprReader, function: Node) -> Expr | None:
         function = function.named_children[0]
     if function.type != "lambda_expression" or reader.called is None or function.child_by_field_name("body") is None:
         return None
-    return Name(reader.called(function))
+    with reader.before():
+        return Name(reader.called(function))
 
 
 def _cast(value: Expr, types: tuple[str, ...]) -> Expr:
@@ -204,12 +220,14 @@ def _binary(reader: ExprReader, node: Node) -> Expr:
 
 
 def _assignment(reader: ExprReader, node: Node) -> Expr:
-    changed = reader.changed(reader, node) if reader.changed is not None else None
+    with reader.before():
+        changed = reader.changed(reader, node) if reader.changed is not None else None
     return _binary(reader, node) if changed is None else changed
 
 
 def _update(reader: ExprReader, node: Node) -> Expr:
-    changed = reader.changed(reader, node) if reader.changed is not None else None
+    with reader.before():
+        changed = reader.changed(reader, node) if reader.changed is not None else None
     return Opaque(reader.text(node)[:80]) if changed is None else changed
 
 
@@ -254,10 +272,11 @@ def _last(reader: ExprReader, node: Node) -> Expr:
 
 def _lambda(reader: ExprReader, node: Node) -> Expr:
     if node.child_by_field_name("body") is not None:
-        handed = reader.handed(node) if reader.handed is not None else None
-        if handed is not None:
-            return handed
-        reader.inline(node)
+        with reader.before():
+            handed = reader.handed(node) if reader.handed is not None else None
+            if handed is not None:
+                return handed
+            reader.inline(node)
     return Lambda(lambda_types(reader, node))
 
 

@@ -11,6 +11,9 @@ from typing import Final, NamedTuple
 from ecm_parsers.source.cpp_directives import Directive
 from ecm_parsers.source.facts import Replacement
 
+_TEXT: Final = re.compile(rb'"(?:[^"\\]|\\.)*"')
+_BESIDE: Final = re.compile(rb'\w[ \t]*""|""[ \t]*(?:#[ \t]*)?\w')
+"""A name beside a text, or one that begins where a text ends: `"camera/" name`."""
 HINT: Final = re.compile(
     rb"\#[ \t]*define[ \t]+\w+(?:\(|[ \t]+(?:\\\r?\n[ \t]*|/\*(?:[^*]|\*(?!/))*\*/[ \t]*)*[A-Za-z_]\w*[ \t]*\("
     rb"|[ \t][^\n\"']*(?:->|[A-Za-z_]\.[A-Za-z_]|\w[ \t]*<))"
@@ -73,10 +76,10 @@ def is_cut_off(rest: bytes) -> bool:
 
 
 def is_calling(definition: Replacement) -> bool:
-    """Tell whether a macro calls something, or is itself called: `node->open<T>`."""
+    """Tell whether a macro calls something, is itself called (`node->open<T>`), or puts texts side by side."""
     if definition.params is None:
         return _CALLED.fullmatch(definition.body) is not None
-    return calls_any(definition.body)
+    return calls_any(definition.body) or _BESIDE.search(_TEXT.sub(b'""', definition.body)) is not None
 
 
 def calls_any(body: bytes) -> bool:

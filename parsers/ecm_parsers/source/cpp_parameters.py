@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_spacing import collapsed
+from ecm_parsers.source.cpp_text import BRACES
+from ecm_parsers.source.expr import Items, Text
 from ecm_parsers.source.facts import Parameter
 
 if TYPE_CHECKING:
@@ -33,6 +35,8 @@ def parameters(reader: ExprReader, listed: Node | None) -> tuple[Parameter, ...]
         text = collapsed(written.decode("utf-8", "replace").rstrip(" =")) + suffix
         text += "..." if child.type == "variadic_parameter_declaration" else ""
         value = reader.read(default) if default is not None else None
+        if default is not None and default.text == BRACES:
+            value = Text("") if text.rstrip(" &").endswith("string") else Items(())
         found.append(Parameter(name, text, value))
     return tuple(found)
 

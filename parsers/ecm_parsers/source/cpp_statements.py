@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Items, Name
+from ecm_parsers.source.expr import MOVED, Expr, Items, Name
 from ecm_parsers.source.facts import Statement, StatementKind
 from ecm_parsers.source.flow import Block, FlowWriter, Step
 
@@ -21,9 +21,11 @@ class StatementWriter:
         depth: how many branches, loops and handlers stand around what is read now.
         declared: the variables that were declared so far.
         lambdas: how many anonymous lambdas stand around it.
+        moved: variables that the statement at hand moves from, which it leaves without a value ([lib.types.movedfrom]).
     """
 
     def __init__(self) -> None:
+        self.moved: list[Name] = []
         self.statements: list[Statement] = []
         self.depth = 0
         self.lambdas = 0
@@ -45,6 +47,10 @@ class StatementWriter:
         if kind in {"let", "each"}:
             self.declared.update(_names(target))
         self.statements.append(Statement(kind, line_of(node), value, target, declared, self.depth, later, kept))
+        left = [each for each in dict.fromkeys(self.moved) if each != target and kind != "return"]
+        self.moved.clear()
+        for each in left:
+            self.add("set", node, MOVED, each)
 
     def apart(self, node: Node, value: Expr, target: Expr, declared: str = "") -> int:
         """Add what a loop binds in each round, which is a step of that loop, and return its index."""

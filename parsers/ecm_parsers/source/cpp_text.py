@@ -22,6 +22,8 @@ _NO_POINTER = re.compile(rb"(?<=::type)\s*\*\s*=\s*nullptr(?=\s*[,>])")
 _LABEL_NOTE = re.compile(rb"(?<=\w)\s*\[\[[^\[\]]*\]\](?=\s*[=,}])")
 _ADJACENT = re.compile(rb"(?<=[(,])(\s*[A-Z][A-Z0-9]*_[A-Z0-9_]*)[ \t]([A-Z][A-Z0-9]*_[A-Z0-9_]*)(?=\s*[,)])")
 """Two macros for texts side by side: the compiler joins them."""
+BRACES = b"$$"
+"""Stands for `{}` where the grammar knows no braces; no code has such a name."""
 _EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")
 _CONDITIONAL = frozenset({b"if", b"ifdef", b"ifndef", b"elif", b"else", b"endif"})
 _DEFINE_LINE = re.compile(rb"^[ \t]*#[^\\\n]*(?:\\(?:\r?\n|[^\n])[^\\\n]*)*", re.MULTILINE)
@@ -56,8 +58,8 @@ def without_macros(data: bytes) -> bytes:
     kept = _outside_directives(kept, lambda text: _MACRO_LINE.sub(_blank, text))
     kept = _CLASS_WORD.sub(lambda match: match[1] + b" " * len(match[2]), kept)
     kept = _ADJACENT.sub(rb"\1+\2", _TYPENAME.sub(_blank, kept))
-    kept = _LABEL_NOTE.sub(_blank, _NO_POINTER.sub(lambda match: b"= 0".ljust(len(match.group())), kept))
-    return _EMPTY_BRACES.sub(lambda match: b"= 0".ljust(len(match.group())), kept)
+    kept = _LABEL_NOTE.sub(_blank, _NO_POINTER.sub(lambda match: b"=" + BRACES.rjust(len(match.group()) - 1), kept))
+    return _EMPTY_BRACES.sub(lambda match: b"=" + BRACES.rjust(len(match.group()) - 1), kept)
 
 
 def hides_class(data: bytes) -> bool:

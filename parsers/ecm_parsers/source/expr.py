@@ -131,3 +131,6 @@ Expr: TypeAlias = (
 
 THIS: Final = Name("this")
 """The object at hand of a method, in either language."""
+
+MOVED: Final = Opaque("std::move")
+"""What a variable of C++ holds that was moved from: nobody knows; a number or a pointer is what it was."""
