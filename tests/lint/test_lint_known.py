@@ -42,6 +42,7 @@ DRIVER = {
     "driver/package.xml": MANIFEST.format("driver", "<depend>rclcpp</depend>"),
     "driver/CMakeLists.txt": "project(driver)\nadd_executable(arm_driver a.cpp)\ninstall(TARGETS arm_driver)\n"
     "rosidl_generate_interfaces(driver msg/Grip.msg)\nament_package()\n",
+    "driver/a.cpp": "int main() {}\n",
     "driver/msg/Grip.msg": "float64 width\n",
     "driver/srv/Move.srv": "float64 angle\n---\nbool done\n",
     "driver/meshes/arm.dae": "",
