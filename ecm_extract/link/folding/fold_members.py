@@ -295,7 +295,9 @@ class MemberFolder:
             for method in scope.changing(name, entry) if scope.declaring(name, entry) is owner else ():
                 if self.folder.objects.runs(method, env.made):
                     place = self._method_env(method, cls if entry not in derived else entry, env)
-                    yield self.folder.flow.run(place, whole=method.is_constructor), place
+                    run = self.folder.flow.run(place, whole=method.is_constructor)
+                    if run is not None or self.folder.flow.outline(method).may_change(f".{name}"):
+                        yield run, place
 
     def _left(self, run: Run | None, name: str) -> list[Held]:
         """What a run leaves a data member with that it gives something."""
