@@ -239,7 +239,7 @@ class Linker:
         for unit in units_of(site, self.sites, self.modules):
             for module in self.ownership.owners(unit, site):
                 node = self._node(module, nodes)
-                self._give(site, unit, module, found[module], node.full if node is not None else None)
+                self._give(site, unit, module, found[module], node.in_graph if node is not None else None)
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
@@ -274,7 +274,7 @@ class Linker:
             name, confidence = name_below(site, value, handle, node), value.confidence
             if is_never_made(value, name, ros) and not site.form.row.value:
                 continue
-            kind, data = self._typed(site, default)
+            kind, data = self._told(site, default, own.text)
             if is_below_node(value):
                 confidence = known_beside(value)
             if not site.certain or (is_choice and named.confidence == "pattern"):
@@ -297,6 +297,13 @@ class Linker:
                 when=when,
             )
             yield interface, LocalName((name.resolved,)) if site.is_absolute else local
+
+    def _told(self, site: Site, given: Bound | None, name: str) -> tuple[str | None, Any]:
+        """The type and default of a site; a parameter that its node is made with has another value."""
+        kind, data = self._typed(site, given)
+        owners = self.program.ancestry(site.owner) if site.owner is not None else (site.root.file,)
+        made = site.form.row.value and self.folder.parameters.overrides.is_given(name, owners)
+        return kind, UNKNOWN if made else data
 
     def _typed(self, site: Site, given: Bound | None) -> tuple[str | None, Any]:
         """The type and default of a site; where an object is made with these, what all places make it with."""

@@ -21,14 +21,14 @@ from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import KEEPING, begins_empty, is_container
-from ecm_extract.link.code.numbers import nothing_of
 from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
+from ecm_extract.link.folding.made_lists import made_elements
 from ecm_extract.link.folding.open_lists import OpenLists
-from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS, operated
+from ecm_extract.link.folding.python_lists import LIST_CALLS, ORDERLESS, SPLITS, operated
 from ecm_extract.link.folding.sorted_containers import in_their_order
-from ecm_extract.link.folding.subscripts import character_of, copied_range, part_of, slice_of, steps_on, taken
+from ecm_extract.link.folding.subscripts import character_of, copied_range, part_of, slice_of, taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, data_in, demoted, is_proved, unknown
 
@@ -42,6 +42,7 @@ class ListFolder:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.open = OpenLists(folder)
+        self.any_order = False
         self._searching: set[tuple[Cls | None, str]] = set()
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
@@ -122,6 +123,14 @@ class ListFolder:
             return None
         with self.folder.steps:
             return self._items(expr, env)
+
+    def in_any_order(self, expr: Expr | None, env: Env, any_order: bool = True) -> list[Bound] | None:
+        """Return all elements of what may be a set of Python, for who does not mind their order."""
+        before, self.any_order = self.any_order, any_order
+        try:
+            return self.items(expr, env)
+        finally:
+            self.any_order = before
 
     def _items(self, expr: Expr, env: Env) -> list[Bound] | None:
         inner = env.before(env.at)
@@ -306,35 +315,15 @@ class ListFolder:
         last = call.last
         if env.func.file.language == "python":
             work = LIST_CALLS.get(last if call.receiver is not None else call.path)
+            if work is not None and self.any_order and last not in ORDERLESS:
+                return self.in_any_order(expr, env, any_order=False)
             if work is not None:
                 return work(self, call, env)
         elif call.receiver is None and is_container(call.path):
-            return self._made(call, env)
+            return made_elements(self, call, env)
         elif call.receiver is None and len(call.args) == 1 and call.path in KEEPING:
             return self.items(call.args[0], env)
         return self._returned(call, env)
-
-    def _made(self, call: Invocation, env: Env) -> list[Bound] | None:
-        """`vector{a, b}`, whose elements are one list, `vector(other)`, `vector<T>(count)`, `vector(count, value)`."""
-        args = call.args
-        if len(args) == 1:
-            listed = self.items(args[0], env)
-            return listed if listed is not None else self._counted(args[0], None, call, env)
-        copied = copied_range(args)
-        if copied is not None:
-            return self.items(copied, env)
-        if len(args) == 2 and not any(map(steps_on, args)):
-            return self._counted(args[0], args[1], call, env)
-        return None if args else []
-
-    def _counted(self, count: Expr, each: Expr | None, call: Invocation, env: Env) -> list[Bound] | None:
-        """So many of one value, without one of what an element is that is given nothing."""
-        known = self.folder.fold(count, env)
-        number = known[0].data if len(known) == 1 and is_proved(known[0]) else None
-        if not isinstance(number, int) or isinstance(number, bool) or not 0 <= number <= MAX_ITEMS:
-            return None
-        each = each if each is not None else nothing_of(call.types[0] if call.types else "")
-        return [Bound(each, env)] * number if each is not None else None
 
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
         """What a function of the tree returns, where one return is reached."""

@@ -10,6 +10,7 @@ from ecm_parsers.source.expr import Expr, Opaque
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, File
 from ecm_extract.link.folding import formats
+from ecm_extract.link.folding.node_overrides import NodeOverrides
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.parameter_reads import ParameterRead
 from ecm_extract.link.running.values import Value, lowered, set_by, setting
@@ -26,6 +27,7 @@ class ParameterFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.overrides = NodeOverrides(folder)
 
     def kept_value(self, name: Expr, kept: Sequence[Value], env: Env) -> tuple[Value, ...]:
         """Return what a variable keeps that a parameter is read into which is not set."""
@@ -53,6 +55,8 @@ class ParameterFolder:
         owners: tuple[Cls | File, ...] = (*self._lineage(env), env.func.file)
         known = self.folder.reads.default(names[0].text, env.func.file.package, owners)
         values = self.default_value(names[0].text, known, default, env)
+        if self.overrides.is_given(names[0].text, owners):
+            values = (setting(names[0].text),)
         return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
 
     def default_value(

@@ -15,6 +15,7 @@ from ecm_extract.link.code.texts import is_text
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.folding.node_overrides import remaps
 from ecm_extract.link.naming.carriers import carriers
 from ecm_extract.link.naming.given_handles import given_namespace
 from ecm_extract.link.naming.host_arguments import HostArguments
@@ -40,9 +41,6 @@ _TEXTS: Final = ("string", "char")
 NODE_NAME: Final = "arg:0|kw:node_name"
 NODE_SPACE: Final = "kw:namespace"
 """Where a node of rclpy is given its name and its namespace."""
-
-
-_NS: Final = "__ns:="
 
 
 class Handle(NamedTuple):
@@ -297,8 +295,7 @@ def _of_any(prefixes: Sequence[Value], node: Value | None = None) -> Handle:
 
 def space_given(call: Invocation, env: Env, folder: Folder) -> Expr | None:
     """Return the namespace that a node of rclpy is given; one that its arguments of a command line remap is open."""
-    remaps = folder.lists.items(next(positions("kw:cli_args", call), None), env) or ()
-    if any(_NS in value.text for each in remaps for value in folder.lists.fold(each, env)):
+    if remaps(next(positions("kw:cli_args", call), None), env, folder):
         return Opaque("namespace")
     return next(positions(NODE_SPACE, call), None)
 

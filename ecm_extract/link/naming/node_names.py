@@ -13,8 +13,9 @@ from ecm_parsers.source.facts import Statement
 from msgspec import structs
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
+from ecm_extract.link.code.walk import names_in
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.folding.fold import Folder
@@ -26,6 +27,9 @@ from ecm_extract.link.running.env import Bound, Env, Instance
 from ecm_extract.link.running.values import Value, is_known, unknown
 
 _INITS = {"ros::init": 2, "rospy.init_node": 0, "rclpy.create_node": 0}
+_ANONYMOUS = {"ros::init": "arg:3", "rospy.init_node": "arg:2|kw:anonymous"}
+"""Where ROS 1 is told to add to a name what no other node has."""
+_ADDS = "AnonymousName"
 _SPACELESS = frozenset({"ros::init", "rospy.init_node"})
 """Those of ROS 1, where only a launch file gives a node its namespace."""
 _OPEN_SPACE: Final = "{namespace}"
@@ -36,16 +40,25 @@ _NAMING = ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_sh
 
 @dataclass(frozen=True, slots=True)
 class NodeName:
-    """The name that a node gives itself, the line that says it, and the namespace that it puts itself in."""
+    """The name that a node gives itself, the line that says it, and the namespace that it puts itself in.
+
+    An anonymous one has a name of its own each time it runs, which begins with the text.
+    """
 
     text: str
     at: Evidence
     space: str = ""
+    is_anonymous: bool = False
 
     @property
     def full(self) -> str:
         """Return the name with the namespace before it."""
         return f"{self.space}/{self.text}" if self.space else self.text
+
+    @property
+    def in_graph(self) -> str | None:
+        """Return the name that the node has in the graph; None where that is another one each time."""
+        return None if self.is_anonymous else self.full
 
     @property
     def is_open(self) -> bool:
@@ -190,7 +203,19 @@ class NodeNames:
         after = f"arg:{index + 1}" if is_node_base(call.path) else ""
         space = space_given(own, env, self.folder) if python else next(positions(after, own), None)
         space = space if named not in _SPACELESS else None
-        return self._named(Given(name, space), env, _place(call)) if name is not None else None
+        found = self._named(Given(name, space), env, _place(call)) if name is not None else None
+        anonymous = found is not None and self._is_anonymous(
+            next(positions(_ANONYMOUS.get(named or "", ""), own), None), env
+        )
+        return replace(found, is_anonymous=True) if found is not None and anonymous else found
+
+    def _is_anonymous(self, given: Expr | None, env: Env) -> bool:
+        """Tell whether a node may get a name of its own each time it runs."""
+        if given is None:
+            return False
+        if env.func.file.language == "cpp":
+            return any(last_name(name) == _ADDS for name in names_in(given))
+        return self.folder.flow.truth(given, env) is not False
 
 
 def _by_default(func: Func) -> dict[str, Bound]:
