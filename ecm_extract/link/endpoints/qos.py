@@ -256,7 +256,10 @@ class QosReader:
         constant = self.folder.scope.constant(dotted_name(expr).removesuffix(".value") or name, env)
         if constant is None or constant[0].value is None:
             return self._unseen(expr, env)
-        return self.policies(constant[0].value, self.folder.names.stated_at(*constant, env), level + 1)
+        scope, own = last_name(constant[0].scope), constant[0].name
+        whole = Member(Name(scope), own) if scope else Name(own)
+        left = self.variables.left_by_module(whole, constant[1], env, level)
+        return left or self.policies(constant[0].value, self.folder.names.stated_at(*constant, env), level + 1)
 
     def chain(self, expr: Expr, env: Env) -> dict[str, Any]:
         """Return what setters set, one after the other."""

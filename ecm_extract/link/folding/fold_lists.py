@@ -258,7 +258,7 @@ class ListFolder:
         for entry in self.folder.program.ancestry(cls):
             if name in entry.fields:
                 given = entry.fields[name].default if not self.folder.names.is_changed(entry, name) else None
-                return Bound(given, Env(env.func, depth=env.depth + 1, this=cls)) if given is not None else None
+                return Bound(given, self.folder.names.at_class(entry, cls, env)) if given is not None else None
         return None
 
     def _constant(self, expr: Name, env: Env) -> list[Bound] | None:

@@ -250,12 +250,13 @@ class MemberFolder:
 
     def initial(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return what a member holds before any method runs: its default; that of a derived class hides others."""
-        fields = [entry.fields[name] for entry in self.folder.program.ancestry(cls) if name in entry.fields]
-        default = next((field.default for field in fields if field.default is not None), None)
+        lineage = self.folder.program.ancestry(cls)
+        owner = next((each for each in lineage if name in each.fields and each.fields[name].default is not None), cls)
+        default = owner.fields[name].default if name in owner.fields else None
         default = default or self._defined_outside(name, cls)
         if default is None:
             return ()
-        values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
+        values = demoted(self.folder.fold(default, self.folder.names.at_class(owner, cls, env)))
         if self.is_given(name, cls):
             return alternatives((*values, unknown(name)))
         hidden = self.folder.redefined.is_hidden(name, cls, env)

@@ -80,8 +80,8 @@ def percent(text: str, operand: Expr) -> list[Expr | str]:
 
 
 def braces(text: str, args: Sequence[Expr], keywords: dict[str, Expr]) -> list[Expr | str]:
-    """Take a brace format apart."""
-    if "{{" in text or "}}" in text:
+    """Take a brace format apart; one with a brace too many is an error in both languages."""
+    if not {"{", "}"}.isdisjoint(_BRACES.sub("", text)):
         return [Name("value")]
     pieces: list[Expr | str] = []
     position, count = 0, 0
