@@ -133,6 +133,7 @@ class ListFolder:
             self.any_order = before
 
     def _items(self, expr: Expr, env: Env) -> list[Bound] | None:
+        expr = self.folder.class_names.by_object(expr, env)
         inner = env.before(env.at)
         if isinstance(expr, Items):
             copied = copied_range(expr.items)

@@ -73,6 +73,7 @@ class TableFolder:
             return self._entries(expr, env.before(env.at))
 
     def _entries(self, expr: Expr, env: Env) -> list[Entry] | None:
+        expr = self.folder.class_names.by_object(expr, env)
         if isinstance(expr, Table):
             return self._displayed(expr, env)
         if isinstance(expr, Comprehension) and isinstance(expr.element, Table):
@@ -81,7 +82,7 @@ class TableFolder:
         if isinstance(expr, Call):
             return self._entries_of_call(expr, env)
         if isinstance(expr, Op) and expr.op == "[]":
-            each = self._element(expr, env)
+            each = self.element(expr, env)
             return self.entries(each.expr, each.env.deeper(env.depth + 1)) if each is not None else None
         return self._entries_of_variable(expr, env) if isinstance(expr, Name | Member) else None
 
@@ -103,10 +104,20 @@ class TableFolder:
             return self.held_entries(*found[0]) if len(found) == 1 else None
         return self._declared_entries(expr, env)
 
-    def _element(self, expr: Op, env: Env) -> Bound | None:
-        """What a table has for a key, or a list at an index."""
+    def element(self, expr: Op, env: Env) -> Bound | None:
+        """Return what a table has for a key, or a list at an index."""
         entries = self.entries(expr.operands[0], env)
         return self.folder.lists.element(expr, env) if entries is None else self.chosen(entries, expr.operands[1], env)
+
+    def element_or(self, table: Expr, given: Sequence[Expr], env: Env) -> Bound | None:
+        """Return what `table.get(key, default)` surely gives; None where that is not decided."""
+        entries = self.entries(table, env)
+        if entries is None:
+            return None
+        found, surely = self._having(entries, given[0], env)
+        if surely or found:
+            return self.chosen(entries, given[0], env)
+        return Bound(given[1], env) if len(given) == 2 else None
 
     def _displayed(self, expr: Table, env: Env) -> list[Entry] | None:
         """The entries of a display, those of tables that it spreads in place."""
