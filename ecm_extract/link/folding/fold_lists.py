@@ -222,6 +222,9 @@ class ListFolder:
             return default or self._constant(expr, env) or self.folder.enums.items(expr, env)
         if default is not None:
             return default
+        left = self.folder.makers.left_in(expr, env)
+        if left is not None:
+            return self.folder.held.items(*left)
         field = self.folder.structures.listed(expr, env)
         if field is not None:
             return self.items(field.expr, field.env)

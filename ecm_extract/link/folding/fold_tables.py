@@ -102,7 +102,8 @@ class TableFolder:
         found = self.folder.lists.sources(expr, env)
         if found:
             return self.held_entries(*found[0]) if len(found) == 1 else None
-        return self._declared_entries(expr, env)
+        left = self.folder.makers.left_in(expr, env) if isinstance(expr, Member) else None
+        return self.held_entries(*left) if left is not None else self._declared_entries(expr, env)
 
     def element(self, expr: Op, env: Env) -> Bound | None:
         """Return what a table has for a key, or a list at an index."""

@@ -158,7 +158,7 @@ class Scope:
             for at, statement in enumerate(func.fact.body):
                 target = statement.target
                 if isinstance(target, Member) and target.base != THIS and statement.kind == "set":
-                    known[target.name].append(at)
+                    known[target.name] += [at] * (not _begins(target, statement, func))
         return known
 
     def assigned_outside(self, name: str, language: str) -> Sequence[Definition]:
@@ -211,6 +211,14 @@ def _member_target(statement: Statement, params: set[str]) -> str:
     ):
         return target.id
     return ""
+
+
+def _begins(target: Member, statement: Statement, func: Func) -> bool:
+    """Tell whether the body of a class of Python gives it an attribute, as its fields tell."""
+    if func.fact.name != "<module>" or statement.depth or not isinstance(target.base, Name):
+        return False
+    owners = (each for each in func.file.facts.classes if each.name == target.base.id and not each.scope)
+    return any(each.line <= statement.line <= each.end_line for each in owners)
 
 
 def _touched(method: Func) -> set[str]:

@@ -19,6 +19,7 @@ from ecm_parsers.source.python_class_body import class_attribute, given_before, 
 from ecm_parsers.source.python_expr import parts, salvage
 from ecm_parsers.source.python_fields import given_by, gives_field
 from ecm_parsers.source.python_literal import NULL, TRUE
+from ecm_parsers.source.python_named_tuples import made_class
 from ecm_parsers.source.python_partials import value_for
 from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught, types_suppressed
 from ecm_parsers.source.python_scan import Scan, StatementHandler
@@ -115,6 +116,7 @@ def _record(scan: Scan, node: Node, left: Expr, value: Expr | None, type_: str =
     scan.emit("let" if value is None else "set", node, value, left, type_)
     if frame.place == "module" and isinstance(left, Name) and value is not None:
         scan.constants.append(Constant(left.id, "", value, node.start_point[0] + 1, type_))
+        made_class(scan, left.id, value, node.start_point[0] + 1)
     if type_ and frame.fields is not None and isinstance(left, Member) and left.base == THIS:
         frame.fields.append(Field(left.name, type_, node.start_point[0] + 1, value))
 
