@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
@@ -66,11 +66,13 @@ class ListFolder:
 
     def _some(self, expr: Expr | None, env: Env) -> tuple[list[Bound], bool]:
         """Elements that a list surely may have, where not all are known."""
-        ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
-        if not ways and isinstance(expr, Name | Member):
-            found = self.sources(expr, env)
-            ways = [(held,) for held, _ in found]
-        return self.folder.held.any_items(ways, env)
+        return self.folder.held.any_items(self._ways(expr, env), env)
+
+    def _ways(self, expr: Expr | None, env: Env) -> Sequence[tuple[Held, ...]]:
+        """What a variable may hold, as the function at hand has it, or as all methods leave it."""
+        if not isinstance(expr, Name | Member):
+            return []
+        return self.folder.flow.ways(expr, env) or [(held,) for held, _ in self.sources(expr, env)]
 
     def _at(self, expr: Expr | None, index: Expr, env: Env) -> tuple[Value, ...]:
         """The element at an index, or of a table the value of a key."""
@@ -97,8 +99,11 @@ class ListFolder:
             )
             if not any(value.confidence == "pattern" for value in text):
                 return text
-        some, _ = self._some(expr, env) if items is None else ([], True)
         rest = self.open.element(expr, env)
+        if isinstance(data, str) and env.func.file.language == "python":  # a list has no such index
+            others = not isinstance(expr, Name | Member) or self.is_others(expr, env)
+            return self.folder.tables.entry_of_any([] if others else self._ways(expr, env), index, env, rest)
+        some, _ = self._some(expr, env) if items is None else ([], True)
         return alternatives((*self._folded(some, env), *rest)) if some else rest
 
     def _part_of_text(self, call: Invocation, at: int, env: Env) -> tuple[Value, ...] | None:

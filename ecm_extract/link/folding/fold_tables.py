@@ -39,6 +39,14 @@ class TableFolder:
         found, surely = self._having(entries, key, env)
         return alternatives(demoted(found) if surely else (*demoted(found), unknown("item")))
 
+    def entry_of_any(
+        self, ways: Sequence[tuple[Held, ...]], key: Expr, env: Env, rest: Sequence[Value]
+    ) -> tuple[Value, ...]:
+        """Return the value of a key in each table that a variable may hold, `rest` for one that is not known."""
+        tables = [self.held_entries(held, env) for held in dict.fromkeys(held for way in ways for held in way)]
+        found = [value for table in tables if table is not None for value in self.entry(table, key, env)]
+        return alternatives((*found, *(rest if None in tables or len(tables) < 2 else ())))
+
     def entry_or(self, entries: list[Entry], key: Expr, rest: Sequence[Expr], env: Env) -> tuple[Value, ...]:
         """Return `table.get(key, default)`."""
         found, surely = self._having(entries, key, env)
