@@ -36,9 +36,10 @@ class Around:
 
 
 class Reached(NamedTuple):
-    """Ways out of blocks, each with how many states it had at a place."""
+    """Ways out of blocks, each with how many states it had at a place, and how much was returned until then."""
 
     ways: Sequence[tuple[list[State], int]]
+    returned: int
 
 
 class Exits:
@@ -67,15 +68,20 @@ class Exits:
 
     def reached(self) -> Reached:
         """Return how many states left so far by `return`, and by `break` and `continue` of the loop at hand."""
-        return Reached(tuple([(way, len(way)) for way in (self.left, *self._breaks[-1:], *self._continues[-1:])]))
+        ways = (self.left, *self._breaks[-1:], *self._continues[-1:])
+        return Reached(tuple([(way, len(way)) for way in ways]), len(self._frame.run.returns))
 
     def leave_through(self, reached: Reached, final: Callable[[State], State | None]) -> None:
-        """Let what left since then run what stands in the end first."""
+        """Let what left since then run what stands in the end first, which may return something else instead."""
+        told = self._frame.run.returns
+        until = len(told)
         for way, count in reached.ways:
             leaving = joined_states(way[count:])
             del way[count:]  # what stands in the end may leave by the same way itself
             after = final(leaving) if leaving is not None else None
             way += [after] if after is not None else []
+            if way is self.left and after is None:
+                del told[reached.returned : until]
 
     # --- exceptions --------------------------------------------------------------------------------------
 

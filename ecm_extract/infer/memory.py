@@ -94,7 +94,7 @@ class Memory:
         else:
             alike = self.sharing.names_of(key)
             others = self.sharing.touched(alike, state)
-        others = {name for name in others - alike if name in state.holds}
+        others = {name for name in others - alike if name in state.holds or (self.frame.python and self.is_open(name))}
         if self.escaped & alike:
             held = self._seen_by_others(key, held)
         if held.length >= MAX_LENGTH:

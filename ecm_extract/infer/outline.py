@@ -11,6 +11,7 @@ from ecm_parsers.source.expr import Call, Expr, Items, Name, Op, Text
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 
+from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
 from ecm_extract.infer.inner import function_named, only_called
 from ecm_extract.infer.places import caught_names, own_names, target_of
@@ -93,6 +94,32 @@ class Outline:
             return frozenset()
         binding = (entry for entry in self.func.fact.body if not entry.type.endswith("="))
         return frozenset(key for entry in binding for key in self._assigned(entry))
+
+    def may_change(self, key: str) -> bool:
+        """Tell whether the body may give a variable, or a part of it, something else, and does not only read it."""
+        changed = self.given | self.altered
+        return not self.python or any(f"{each}.".startswith(f"{key}.") for each in changed)
+
+    @cached_property
+    def altered(self) -> Set[str]:
+        """The variables of Python that the body may change in place, or a part of them, by whatever name it has it."""
+        body = self.func.fact.body if self.python else ()
+        found = {effect.key for at in range(len(body)) for effect in self.effects.of(at)} | self.escaped
+        found |= {self.effects.root(each.target) for each in body if self._is_within(each)}
+        bound = (each for each in body if not self._is_within(each))  # what is put into a list stays as it is
+        named = [(set(self._assigned(each)), self._shared(each.value)) for each in bound]
+        while more := {key for keys, shared in named if keys & found for key in shared} - found:
+            found |= more
+        return frozenset(found - {""})
+
+    def _is_within(self, statement: Statement) -> bool:
+        """Whether a statement gives a part of something a value, or adds to what a variable means."""
+        bare = isinstance(statement.target, Items) or bool(self.effects.key(statement.target))
+        return statement.type.endswith("=") or (statement.kind == "set" and not bare)
+
+    def _shared(self, expr: Expr | None) -> Set[str]:
+        given = expr.args if isinstance(expr, Call) else ()
+        return frozenset(map(self.effects.key, shared_names(expr))).union(*map(self._shared, given))
 
     @cached_property
     def escaped(self) -> Set[str]:

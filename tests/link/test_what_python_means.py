@@ -108,7 +108,7 @@ ROWS = [
     ("a data class", 'pub(Row("a", "b").full())', ["b/a"]),
     ("a data class by names", 'pub(Row(space="b").full())', ["b/n"]),
     ("what a data class does in the end", 'pub(Row("a").other)', ["a_o"]),
-    ("a list of a data class", "pub(Row().more[0] + Row().kept)", [OPEN]),
+    ("a list of a data class", "pub(Row().more[0] + Row().kept)", ["mk"]),
     ("a data class of another", 'pub(LongRow("a", "b").full())', ["b/a"]),
     ("what a data class has beside another", 'pub(LongRow("a", "b", [], "c").last)', ["l", "{last}"]),
     ("a data class by another name of its module", 'pub(Short("a").word)', ["a"]),

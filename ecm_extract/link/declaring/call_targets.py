@@ -36,6 +36,7 @@ class CallTargets:
         self._receivers: dict[Invocation, Container[Cls]] = {}
         self._asked: set[tuple[str, str]] = set()
         self._callers_of: dict[Func, list[Invocation]] = defaultdict(list)
+        self._own_of: dict[Func, list[Invocation]] = defaultdict(list)
         self._uses_of: dict[Func, tuple[Invocation, ...]] = {}
 
     def callers(self, func: Func) -> Sequence[Invocation]:
@@ -44,6 +45,10 @@ class CallTargets:
         if outer is None:
             return self._by_name(func)
         return [*self._by_name(func), *self._uses(func, outer)]
+
+    def own(self, func: Func) -> Sequence[Invocation]:
+        """Return the calls of a function by itself, where others call it too."""
+        return self._own_of.get(func, ()) if self._by_name(func) else ()
 
     def _uses(self, func: Func, outer: Func) -> Sequence[Invocation]:
         """The calls of what holds a function, found once: a function that is handed to itself calls itself again."""
@@ -71,8 +76,8 @@ class CallTargets:
         """Remember a call with each function that it means, once."""
         if call not in self._targets:
             for target in self.targets(call):
-                if target is not call.func:
-                    self._callers_of[target].append(call)
+                known = self._callers_of if target is not call.func else self._own_of
+                known[target].append(call)
 
     def targets(self, call: Invocation) -> tuple[Func, ...]:
         """Return the functions of the tree that a call can mean, the best fitting overloads only."""

@@ -52,6 +52,8 @@ _ALSO = (
     _LOADS_ALL,
 )
 """Calls that are looked up by name without being forms: behaviour tree ports, node names, loaders of plugins."""
+MAX_AGAIN = 3
+"""Calls of a function by itself that are followed, one within the other."""
 MAX_EXPANSIONS = 50_000
 
 
@@ -156,7 +158,13 @@ class Sites:
             elif further not in widened:  # states of what was outermost make no difference further out
                 widened.add(further)
                 pending.extend(wider)
+        closed += [replace(site, certain=False)] * any(map(self._goes_on, closed))
         return self._alike_in_all_states(closed)
+
+    def _goes_on(self, site: Site) -> bool:
+        """Tell whether a function calls itself once more than is followed."""
+        own = (call for call in self._calls_of.own(site.call.func) if site.chain.count(call) >= MAX_AGAIN)
+        return any(self.folder.flow.is_reached(replace(site.env, at=call.at, state=None)) for call in own)
 
     def _alike_in_all_states(self, sites: Sequence[Site]) -> list[Site]:
         """What has one name in all states in which the same calls lead to it has that name, whichever state it is."""
@@ -209,10 +217,9 @@ class Sites:
         if root.is_constructor:
             yield from self._makers(site, site.owner) if site.owner is not None else ()
             return
-        passed = set(site.chain)
-        for call in self._dead.without(self.callers(root)):
-            if call in passed:
-                continue
+        own = [call for call in self._calls_of.own(root) if site.chain.count(call) < MAX_AGAIN]
+        others = [call for call in self.callers(root) if call not in site.chain]
+        for call in self._dead.without([*others, *own]):
             for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
                 wider = self._through(replace(site, certain=site.certain and certain), call, outer)
                 if is_of_parameter(call):

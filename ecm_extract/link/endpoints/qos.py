@@ -13,15 +13,21 @@ from ecm_parsers.numbers import real, truncated
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.calls import dotted_name, spreads
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, presets
-from ecm_extract.link.endpoints.qos_values import milliseconds, policy_word
+from ecm_extract.link.endpoints.qos_values import (
+    milliseconds,
+    policy_asked,
+    policy_called,
+    policy_of_number,
+    policy_word,
+)
 from ecm_extract.link.endpoints.qos_variables import QosVariables
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.arguments import bind
-from ecm_extract.link.running.env import Env, invocation_of
+from ecm_extract.link.running.env import Bound, Env, invocation_of
 
 _FLAGS: dict[str, tuple[str, str]] = {
     "reliable": ("reliability", "reliable"),
@@ -35,7 +41,12 @@ _FLAGS: dict[str, tuple[str, str]] = {
 }
 _POLICIES = ("reliability", "durability", "history", "liveliness")
 _TIMES = {"deadline": "deadline_ms", "lifespan": "lifespan_ms", "liveliness_lease_duration": "lease_ms"}
-_WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"})
+_WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"}) | {
+    "copy.copy",
+    "copy.deepcopy",
+}
+_PRESETS = "QoSPresetProfiles"
+_BY_KEY = "get_from_short_key"
 _BASIC = ("reliability", "durability", "history", "depth")
 _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_namespace_conventions"}) | {
     "get_rmw_qos_profile",
@@ -100,6 +111,9 @@ class QosReader:
             return preset
         if isinstance(expr, Name | Member):
             return self._variable(expr, env, level)
+        if isinstance(expr, Op) and expr.op == "[]":
+            each = self.folder.tables.element(expr, env)
+            return self._element(each, level) if each is not None else self._unseen(expr, env)
         if isinstance(expr, Op) and expr.op == "?:":
             return agreed([self.policies(branch, env, level + 1) for branch in self._branches(expr, env)])
         if isinstance(expr, Items) and expr.items:
@@ -152,12 +166,29 @@ class QosReader:
         own = self._own_class(expr, env, level)
         if own is not None:
             return own
+        if isinstance(callee, Member) and name in {"get", _BY_KEY} and expr.args:
+            return self._by_key(callee, expr, env, level)
         found = presets().get(name)
         if found is not None:
             return {**found[1], "profile": found[0]}
-        if name in _WRAPPERS or name.endswith("QoS"):
+        if name in _WRAPPERS or name.endswith("QoS") or self._path(expr, env) in _WRAPPERS:
             return self._profile(name, expr, env, level)
         return self._function(expr, env, level)
+
+    def _path(self, call: Call, env: Env) -> str:
+        """What a function of Python is called in the module that has it."""
+        return self.folder.program.canonical(dotted_name(call.callee), env.func.file)
+
+    def _by_key(self, callee: Member, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        """`TABLE.get("key", default)`, or a preset of rclpy by its short name."""
+        if callee.name == _BY_KEY:
+            found = presets().get(f"{_PRESETS}.{self.folder.fold(expr.args[0], env)[0].text.upper()}")
+            return {**found[1], "profile": found[0]} if found is not None else {**UNSEEN}
+        each = self.folder.tables.element_or(callee.base, expr.args, env)
+        return self._element(each, level) if each is not None else self._function(expr, env, level)
+
+    def _element(self, each: Bound, level: int) -> dict[str, Any]:
+        return self.policies(each.expr, each.env.deeper(each.env.depth + 1), level + 1)
 
     def _method(self, callee: Member, expr: Call, env: Env, level: int) -> dict[str, Any]:
         """A setter on a profile, or a method that returns a profile or a number."""
@@ -183,14 +214,17 @@ class QosReader:
 
     def _profile(self, name: str, expr: Call, env: Env, level: int) -> dict[str, Any]:
         policies: dict[str, Any] = {}
-        for arg in expr.args if name != "KeepLast" else ():
+        call, env = self.folder.spreading.whole(expr, env)
+        if spreads(call):
+            return {**UNSEEN}
+        for arg in call.args if name != "KeepLast" else ():
             word = policy_word(arg)
             policies.update({"history": word} if word.startswith("keep_") else self.policies(arg, env, level + 1))
         if name == "KeepAll":
             return {"history": "keep_all"}
         if name == "KeepLast" and expr.args:
             policies = {"history": "keep_last", "depth": self._number(expr.args[0], env)}
-        for key, value in expr.keywords:
+        for key, value in call.keywords:
             policies.update(self.assigned(key, value, env))
         return policies
 
@@ -210,7 +244,7 @@ class QosReader:
         if key == "depth":
             return {"depth": self._number(value, env)}
         if key in _POLICIES:
-            words = self._words(value, env)
+            words = {policy_of_number(key, value)} if isinstance(value, Number) else self._words(value, env)
             return {key: words.pop() if len(words) == 1 else "unknown"}
         if key in _TIMES:
             duration = milliseconds(value)
@@ -228,6 +262,12 @@ class QosReader:
     def _words_of(self, value: Expr, env: Env, level: int) -> set[str]:
         if isinstance(value, Op) and value.op == "?:":
             return {word for branch in self._branches(value, env) for word in self._words(branch, env, level + 1)}
+        asked = policy_asked(value)
+        if asked is not None:
+            return {policy_called(each.text) or "unknown" for each in self.folder.fold(asked, env)}
+        element = self.folder.tables.element(value, env) if isinstance(value, Op) and value.op == "[]" else None
+        if element is not None:
+            return self._words(element.expr, element.env, level + 1)
         bound = env.args.get(value.id) if isinstance(value, Name) else None
         if bound is not None:
             return self._words(bound.expr, bound.env, level + 1)
@@ -259,7 +299,10 @@ class QosReader:
         constant = self.folder.scope.constant(dotted_name(expr).removesuffix(".value") or name, env)
         if constant is None or constant[0].value is None:
             return self._unseen(expr, env)
-        return self.policies(constant[0].value, self.folder.names.stated_at(*constant, env), level + 1)
+        scope, own = last_name(constant[0].scope), constant[0].name
+        whole = Member(Name(scope), own) if scope else Name(own)
+        left = self.variables.left_by_module(whole, constant[1], env, level)
+        return left or self.policies(constant[0].value, self.folder.names.stated_at(*constant, env), level + 1)
 
     def chain(self, expr: Expr, env: Env) -> dict[str, Any]:
         """Return what setters set, one after the other."""

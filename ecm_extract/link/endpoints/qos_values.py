@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Number
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
 
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
@@ -11,6 +11,14 @@ _WORDS = (
     *("best_effort", "reliable", "transient_local", "volatile", "keep_last", "keep_all"),
     *("automatic", "manual_by_topic", "best_available", "system_default"),
 )
+_NUMBERED = {
+    "reliability": ("system_default", "reliable", "best_effort"),
+    "durability": ("system_default", "transient_local", "volatile"),
+    "history": ("system_default", "keep_last", "keep_all"),
+    "liveliness": ("system_default", "automatic"),
+}
+"""Source: rmw/types.h, from zero on."""
+_ENUMERATION = "Policy"
 _UNITS = {"s": 1000.0, "ms": 1.0, "us": 0.001, "ns": 1e-6, "min": 60000.0, "h": 3600000.0}
 
 
@@ -20,8 +28,30 @@ def policy_word(expr: Expr) -> str:
     Variables begin in lower case: what is called `reliable` may hold any policy, or tell whether it is that one.
     """
     text = last_name(expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else "")
-    squeezed = text.replace("_", "").lower() if text[:1].isupper() else ""
+    return policy_called(text) if text[:1].isupper() else ""
+
+
+def policy_called(name: str) -> str:
+    """Return the policy of a name, with or without what stands before it in C."""
+    squeezed = name.replace("_", "").lower()
     return next((word for word in _WORDS if squeezed.endswith(word.replace("_", ""))), "")
+
+
+def policy_asked(expr: Expr) -> Expr | None:
+    """Return the name by which a policy is asked for: `Reliability[name]`, `getattr(Reliability, name)`."""
+    if isinstance(expr, Op) and expr.op == "[]" and len(expr.operands) == 2:
+        owner, name = expr.operands
+    elif isinstance(expr, Call) and expr.callee == Name("getattr") and len(expr.args) >= 2:
+        owner, name = expr.args[:2]
+    else:
+        return None
+    return name if last_name(dotted_name(owner)).rpartition(".")[2].endswith(_ENUMERATION) else None
+
+
+def policy_of_number(policy: str, expr: Number) -> str:
+    """Return the policy that rclpy makes of a number."""
+    names = _NUMBERED.get(policy, ())
+    return names[int(expr.value)] if expr.value in range(len(names)) else "unknown"
 
 
 def milliseconds(expr: Expr) -> float | None:

@@ -10,8 +10,9 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.run import Run
+from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name, plain
-from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, presets
 from ecm_extract.link.running.env import Env
@@ -186,10 +187,20 @@ class QosVariables:
 
     def _declared(self, name: str, cls: Cls, env: Env, level: int) -> Policies | None:
         """What a data member, its own or of a base, is declared with; None for no such."""
-        field = next((own.fields[name] for own in self.folder.program.ancestry(cls) if name in own.fields), None)
-        if field is None or field.default is None:
+        owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
+        field = owner.fields[name] if owner is not None else None
+        if owner is None or field is None or field.default is None:
             return (_preset(field.type) or None) if field is not None else None
-        return self.profiles.policies(field.default, Env(env.func, depth=env.depth + 1, this=cls), level + 1)
+        left = self.left_by_module(Member(Name(owner.fact.name), name), owner.file, env, level)
+        place = self.folder.names.at_class(owner, cls, env)
+        return left or self.profiles.policies(field.default, place, level + 1)
+
+    def left_by_module(self, expr: Name | Member, file: File, env: Env, level: int) -> Policies | None:
+        """Return what the body of a module of Python leaves a profile of it with, of which it changes fields."""
+        place = self.folder.names.module_end(file, env) if file.language == "python" else None
+        key = dotted_name(expr)
+        changed = self.folder.flow.outline(place.func).changes if place is not None else ()
+        return self.at(expr, place, level) if place and any(each.startswith(f"{key}.") for each in changed) else None
 
 
 def _preset(written: str) -> Policies:

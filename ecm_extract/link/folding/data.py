@@ -75,7 +75,8 @@ def _data(expr: Expr, env: Env, folder: Folder, depth: int) -> Any:
 
 def _items(expr: Expr, env: Env, folder: Folder) -> Sequence[Bound] | None:
     named = isinstance(expr, Call) and isinstance(expr.callee, Name) and last_name(expr.callee.id) == "string"
-    return None if named else folder.lists.items(expr, env)
+    is_table = env.func.file.language == "python" and folder.tables.entries(expr, env) is not None
+    return None if named or is_table else folder.lists.items(expr, env)
 
 
 def _known(values: Sequence[Value]) -> Any:

@@ -262,7 +262,10 @@ class Folder:
         if known is not None and known[0].args is env.args:
             return known[1]
         cycles = self.cycles
-        values = self.guarded(("name", label, env.func, env.at, env.state), label, work)
+        asked: tuple[Hashable, ...] = ("name", label, env.func, env.at, env.state)
+        if asked in self._active:  # of a function that calls itself another parameter of that name
+            asked = (*asked, *env.args.values())
+        values = self.guarded(asked, label, work)
         if self.steps.depth and cycles == self.cycles:
             self._answers[key] = (env, values)
         return values

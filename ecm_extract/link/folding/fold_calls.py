@@ -25,6 +25,7 @@ from ecm_extract.link.folding import formats
 from ecm_extract.link.folding.conversions import converted
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of_parameter
+from ecm_extract.link.folding.instances import is_instance
 from ecm_extract.link.folding.of_templates import spelled
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.folding.text_functions import TEXT_FUNCTIONS
@@ -216,8 +217,8 @@ class CallFolder:
     def _of_library(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
         """What the standard library gives for what is known; None for other functions."""
         python = env.func.file.language == "python"
-        if python and call.path == "getattr" and len(call.args) == 2 and not call.keywords:
-            return self._attribute(call, env)
+        if python and call.path in {"getattr", "isinstance"} and len(call.args) == 2 and not call.keywords:
+            return self._attribute(call, env) if call.path == "getattr" else is_instance(call, env, self.folder)
         if call.last in _SIZES and self._is_size(call, python):
             subject = call.args[0] if python else call.receiver
             items = self.folder.lists.items(subject, env)

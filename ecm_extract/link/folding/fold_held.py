@@ -276,17 +276,17 @@ class HeldFolder:
 
     def items(self, held: Held, env: Env) -> list[Bound] | None:
         """Return the elements of a list that a variable may hold; None when they are not all known."""
-        if "items" in held.settled:
-            return held.settled["items"]  # type: ignore[return-value]
+        asked, marks = "elements" if self.folder.lists.any_order else "items", self.folder.marks
+        if asked in held.settled:
+            return held.settled[asked]  # type: ignore[return-value]
         if env.depth > MAX_DEPTH or held in self._asked:
             self.folder.cuts += 1
             return None
-        marks = self.folder.marks
         self._asked.add(held)
         found = self._items(held, env.deeper(env.depth + 1))
         self._asked.discard(held)
         if marks == self.folder.marks:
-            held.settled["items"] = found
+            held.settled[asked] = found
         return found
 
     def _items(self, held: Held, env: Env) -> list[Bound] | None:

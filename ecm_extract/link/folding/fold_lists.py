@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
@@ -21,14 +21,14 @@ from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import KEEPING, begins_empty, is_container, makes_tuple
-from ecm_extract.link.code.numbers import nothing_of
 from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.fold_tables import is_plain_table
+from ecm_extract.link.folding.made_lists import made_elements
 from ecm_extract.link.folding.open_lists import OpenLists
-from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS, operated
+from ecm_extract.link.folding.python_lists import LIST_CALLS, ORDERLESS, SPLITS, operated
 from ecm_extract.link.folding.sorted_containers import in_their_order
-from ecm_extract.link.folding.subscripts import character_of, copied_range, part_of, slice_of, steps_on, taken
+from ecm_extract.link.folding.subscripts import character_of, copied_range, part_of, slice_of, taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, data_in, demoted, is_proved, unknown
 
@@ -42,6 +42,7 @@ class ListFolder:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.open = OpenLists(folder)
+        self.any_order = False
         self._searching: set[tuple[Cls | None, str]] = set()
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
@@ -65,11 +66,13 @@ class ListFolder:
 
     def _some(self, expr: Expr | None, env: Env) -> tuple[list[Bound], bool]:
         """Elements that a list surely may have, where not all are known."""
-        ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
-        if not ways and isinstance(expr, Name | Member):
-            found = self.sources(expr, env)
-            ways = [(held,) for held, _ in found]
-        return self.folder.held.any_items(ways, env)
+        return self.folder.held.any_items(self._ways(expr, env), env)
+
+    def _ways(self, expr: Expr | None, env: Env) -> Sequence[tuple[Held, ...]]:
+        """What a variable may hold, as the function at hand has it, or as all methods leave it."""
+        if not isinstance(expr, Name | Member):
+            return []
+        return self.folder.flow.ways(expr, env) or [(held,) for held, _ in self.sources(expr, env)]
 
     def _at(self, expr: Expr | None, index: Expr, env: Env) -> tuple[Value, ...]:
         """The element at an index, or of a table the value of a key."""
@@ -96,8 +99,11 @@ class ListFolder:
             )
             if not any(value.confidence == "pattern" for value in text):
                 return text
-        some, _ = self._some(expr, env) if items is None else ([], True)
         rest = self.open.element(expr, env)
+        if isinstance(data, str) and env.func.file.language == "python":  # a list has no such index
+            others = not isinstance(expr, Name | Member) or self.is_others(expr, env)
+            return self.folder.tables.entry_of_any([] if others else self._ways(expr, env), index, env, rest)
+        some, _ = self._some(expr, env) if items is None else ([], True)
         return alternatives((*self._folded(some, env), *rest)) if some else rest
 
     def _part_of_text(self, call: Invocation, at: int, env: Env) -> tuple[Value, ...] | None:
@@ -123,7 +129,16 @@ class ListFolder:
         with self.folder.steps:
             return self._items(expr, env)
 
+    def in_any_order(self, expr: Expr | None, env: Env, any_order: bool = True) -> list[Bound] | None:
+        """Return all elements of what may be a set of Python, for who does not mind their order."""
+        before, self.any_order = self.any_order, any_order
+        try:
+            return self.items(expr, env)
+        finally:
+            self.any_order = before
+
     def _items(self, expr: Expr, env: Env) -> list[Bound] | None:
+        expr = self.folder.class_names.by_object(expr, env)
         inner = env.before(env.at)
         if isinstance(expr, Items):
             copied = copied_range(expr.items)
@@ -212,6 +227,9 @@ class ListFolder:
             return default or self._constant(expr, env) or self.folder.enums.items(expr, env)
         if default is not None:
             return default
+        left = self.folder.makers.left_in(expr, env)
+        if left is not None:
+            return self.folder.held.items(*left)
         field = self.folder.structures.listed(expr, env)
         if field is not None:
             return self.items(field.expr, field.env)
@@ -249,7 +267,7 @@ class ListFolder:
         for entry in self.folder.program.ancestry(cls):
             if name in entry.fields:
                 given = entry.fields[name].default if not self.folder.names.is_changed(entry, name) else None
-                return Bound(given, Env(env.func, depth=env.depth + 1, this=cls)) if given is not None else None
+                return Bound(given, self.folder.names.at_class(entry, cls, env)) if given is not None else None
         return None
 
     def _constant(self, expr: Name, env: Env) -> list[Bound] | None:
@@ -306,37 +324,17 @@ class ListFolder:
         last = call.last
         if env.func.file.language == "python":
             work = LIST_CALLS.get(last if call.receiver is not None else call.path)
+            if work is not None and self.any_order and last not in ORDERLESS:
+                return self.in_any_order(expr, env, any_order=False)
             if work is not None:
                 return work(self, call, env)
         elif call.receiver is None and is_container(call.path):
-            return self._made(call, env)
+            return made_elements(self, call, env)
         elif makes_tuple(expr):
             return [Bound(arg, env) for arg in expr.args]
         elif call.receiver is None and len(call.args) == 1 and call.path in KEEPING:
             return self.items(call.args[0], env)
         return self._returned(call, env)
-
-    def _made(self, call: Invocation, env: Env) -> list[Bound] | None:
-        """`vector{a, b}`, whose elements are one list, `vector(other)`, `vector<T>(count)`, `vector(count, value)`."""
-        args = call.args
-        if len(args) == 1:
-            listed = self.items(args[0], env)
-            return listed if listed is not None else self._counted(args[0], None, call, env)
-        copied = copied_range(args)
-        if copied is not None:
-            return self.items(copied, env)
-        if len(args) == 2 and not any(map(steps_on, args)):
-            return self._counted(args[0], args[1], call, env)
-        return None if args else []
-
-    def _counted(self, count: Expr, each: Expr | None, call: Invocation, env: Env) -> list[Bound] | None:
-        """So many of one value, without one of what an element is that is given nothing."""
-        known = self.folder.fold(count, env)
-        number = known[0].data if len(known) == 1 and is_proved(known[0]) else None
-        if not isinstance(number, int) or isinstance(number, bool) or not 0 <= number <= MAX_ITEMS:
-            return None
-        each = each if each is not None else nothing_of(call.types[0] if call.types else "")
-        return [Bound(each, env)] * number if each is not None else None
 
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
         """What a function of the tree returns, where one return is reached."""

@@ -58,7 +58,7 @@ class MemberFolder:
 
     def _member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         reached = self.folder.flow.effects(env.func).reached(expr)
-        expr = reached if isinstance(reached, Member) else expr
+        expr = self.folder.class_names.by_object(reached if isinstance(reached, Member) else expr, env)
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.of(ways, env)
@@ -250,12 +250,13 @@ class MemberFolder:
 
     def initial(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return what a member holds before any method runs: its default; that of a derived class hides others."""
-        fields = [entry.fields[name] for entry in self.folder.program.ancestry(cls) if name in entry.fields]
-        default = next((field.default for field in fields if field.default is not None), None)
+        lineage = self.folder.program.ancestry(cls)
+        owner = next((each for each in lineage if name in each.fields and each.fields[name].default is not None), cls)
+        default = owner.fields[name].default if name in owner.fields else None
         default = default or self._defined_outside(name, cls)
         if default is None:
             return ()
-        values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
+        values = demoted(self.folder.fold(default, self.folder.names.at_class(owner, cls, env)))
         if self.is_given(name, cls):
             return alternatives((*values, unknown(name)))
         hidden = self.folder.redefined.is_hidden(name, cls, env)
@@ -295,7 +296,9 @@ class MemberFolder:
             for method in scope.changing(name, entry) if scope.declaring(name, entry) is owner else ():
                 if self.folder.objects.runs(method, env.made):
                     place = self._method_env(method, cls if entry not in derived else entry, env)
-                    yield self.folder.flow.run(place, whole=method.is_constructor), place
+                    run = self.folder.flow.run(place, whole=method.is_constructor)
+                    if run is not None or self.folder.flow.outline(method).may_change(f".{name}"):
+                        yield run, place
 
     def _left(self, run: Run | None, name: str) -> list[Held]:
         """What a run leaves a data member with that it gives something."""

@@ -180,17 +180,23 @@ class NameFolder:
         func = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
         return Env(func) if func is not None else env
 
+    def at_class(self, owner: Cls, this: Cls, env: Env) -> Env:
+        """Return a place at which names mean what they mean in the body of a class, of an object of one."""
+        python = owner.file.language == "python" and owner.file is not env.func.file
+        func = self.at_file(owner.file, env).func if python else env.func
+        return Env(func, depth=env.depth + 1, this=this)
+
     def _of_module(self, name: str, file: File, env: Env) -> tuple[Value, ...]:
         """What the body of a Python module leaves a name with; functions may give it something else."""
-        place = self._module(file, env)
+        place = self.module_end(file, env)
         ways = self.folder.flow.ways(Name(name), place) if place is not None else []
         if place is None or not ways:
             return ()
         values = demoted(self.folder.held.of(ways, place))
         return self.variables.given(name, file, values)
 
-    def _module(self, file: File, env: Env) -> Env | None:
-        """The end of the body of a Python module; None in that body itself."""
+    def module_end(self, file: File, env: Env) -> Env | None:
+        """Return the end of the body of a Python module; None in that body itself."""
         module = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
         return Env(module, depth=env.depth + 1) if module is not None and module is not env.func else None
 
@@ -209,7 +215,7 @@ class NameFolder:
     def left_by_module(self, name: str, env: Env) -> tuple[Env | None, list[tuple[Held, ...]]]:
         """Return what the body of a module leaves a variable with, which a name means, and where that is seen."""
         file = env.func.file
-        place = self._module(file, env)
+        place = self.module_end(file, env)
         if place is not None and "." not in name and not self.variables.changers(name, file):
             ways = self.folder.flow.ways(Name(name), place)
             if ways:
@@ -226,7 +232,7 @@ class NameFolder:
         if scope:
             inner = Env(self.at_file(found.file, env).func, depth=env.depth + 1)
             return inner, [(Held("value", name, value, inner),)]
-        place = self._module(found.file, env)
+        place = self.module_end(found.file, env)
         if place is None or found.file is env.func.file or self.variables.changers(name, found.file):
             return None, []
         return place, self.folder.flow.ways(Name(name), place)

@@ -167,7 +167,7 @@ class OperatorFolder:
 
     def _within(self, expr: Op, env: Env) -> tuple[Value, ...]:
         """`x in names`: every element is known, or nothing is told."""
-        items = self.folder.lists.items(expr.operands[1], env)
+        items = self.folder.lists.in_any_order(expr.operands[1], env)
         if items is None:
             groups = [self.folder.fold(operand, env) for operand in expr.operands]
             return self.folder.combined(groups, lambda data: operate(expr.op, data[0], data[1], True), "value")

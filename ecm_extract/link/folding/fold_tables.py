@@ -40,6 +40,14 @@ class TableFolder:
         found, surely = self._having(entries, key, env)
         return alternatives(demoted(found) if surely else (*demoted(found), unknown("item")))
 
+    def entry_of_any(
+        self, ways: Sequence[tuple[Held, ...]], key: Expr, env: Env, rest: Sequence[Value]
+    ) -> tuple[Value, ...]:
+        """Return the value of a key in each table that a variable may hold, `rest` for one that is not known."""
+        tables = [self.held_entries(held, env) for held in dict.fromkeys(held for way in ways for held in way)]
+        found = [value for table in tables if table is not None for value in self.entry(table, key, env)]
+        return alternatives((*found, *(rest if None in tables or len(tables) < 2 else ())))
+
     def entry_or(self, entries: list[Entry], key: Expr, rest: Sequence[Expr], env: Env) -> tuple[Value, ...]:
         """Return `table.get(key, default)`."""
         found, surely = self._having(entries, key, env)
@@ -74,6 +82,7 @@ class TableFolder:
             return self._entries(expr, env.before(env.at))
 
     def _entries(self, expr: Expr, env: Env) -> list[Entry] | None:
+        expr = self.folder.class_names.by_object(expr, env)
         if isinstance(expr, Table):
             return self._displayed(expr, env)
         if isinstance(expr, Comprehension) and isinstance(expr.element, Table):
@@ -102,7 +111,8 @@ class TableFolder:
         found = self.folder.lists.sources(expr, env)
         if found:
             return self.held_entries(*found[0]) if len(found) == 1 else None
-        return self._declared_entries(expr, env)
+        left = self.folder.makers.left_in(expr, env) if isinstance(expr, Member) else None
+        return self.held_entries(*left) if left is not None else self._declared_entries(expr, env)
 
     def element(self, expr: Expr, env: Env) -> Bound | None:
         """Return what a table has for a key, or a list at an index: `table["a"]`, `table.at("a")`, `rows[0]`."""
@@ -111,6 +121,16 @@ class TableFolder:
         if place is None or entries is None:
             return self.folder.lists.element(expr, env)
         return self.chosen(entries, place[1], env)
+
+    def element_or(self, table: Expr, given: Sequence[Expr], env: Env) -> Bound | None:
+        """Return what `table.get(key, default)` surely gives; None where that is not decided."""
+        entries = self.entries(table, env)
+        if entries is None:
+            return None
+        found, surely = self._having(entries, given[0], env)
+        if surely or found:
+            return self.chosen(entries, given[0], env)
+        return Bound(given[1], env) if len(given) == 2 else None
 
     def _displayed(self, expr: Table, env: Env) -> list[Entry] | None:
         """The entries of a display, those of tables that it spreads in place."""

@@ -10,7 +10,7 @@ from ecm_parsers.source.expr import Call, Expr, Items, Name, Op, Text
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.running.values import Value, setting
-from ecm_extract.shipped import shipped_names
+from ecm_extract.shipped import shipped, shipped_names
 
 _TABLE = "link/code/library_values.toml"
 PARAMETER_READS = shipped_names(_TABLE, "parameter_texts")
@@ -28,9 +28,14 @@ _BRACES = re.compile(r"\{([^{}:!]*)((?:![a-z])?)(?::([^{}]*))?\}")
 
 def read_as(name: str, values: Sequence[Value]) -> tuple[Value, ...]:
     """Return what a read gives of the values of a parameter: one that reads a text has nothing of a number."""
-    if name not in _TEXT_READS:
+    kind = shipped(_TABLE).get("parameter_data", {}).get(name, "")
+    if name not in _TEXT_READS and not kind:
         return tuple(values)
-    return tuple([value if value.data is None else setting(value.parameter or name) for value in values])
+    return tuple([value if _is_of(kind, value) else setting(value.parameter or name) for value in values])
+
+
+def _is_of(kind: str, value: Value) -> bool:
+    return value.confidence == "pattern" or (type(value.data).__name__ if value.data is not None else "") == kind
 
 
 def is_unset(default: Expr) -> bool:
@@ -104,8 +109,8 @@ def _of_boost(printed: Expr) -> list[Expr | str] | None:
 
 
 def braces(text: str, args: Sequence[Expr], keywords: dict[str, Expr]) -> list[Expr | str]:
-    """Take a brace format apart."""
-    if "{{" in text or "}}" in text:
+    """Take a brace format apart; one with a brace too many is an error in both languages."""
+    if not {"{", "}"}.isdisjoint(_BRACES.sub("", text)):
         return [Name("value")]
     pieces: list[Expr | str] = []
     position, count = 0, 0

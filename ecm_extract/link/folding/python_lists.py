@@ -68,9 +68,16 @@ def _copied(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None
     return lists.items(call.args[0], env) if len(call.args) == 1 and not call.keywords else None
 
 
+def _set(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    """Elements in no order, which is nothing to tell where it matters."""
+    found = _copied(lists, call, env)
+    return found if found is None or len(found) < 2 or lists.any_order else None
+
+
 def _sorted(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
     keywords = dict(call.keywords)
-    items = lists.items(call.args[0], env) if len(call.args) == 1 and not keywords.keys() - {"key"} else None
+    plain = len(call.args) == 1 and not keywords.keys() - {"key"}
+    items = lists.in_any_order(call.args[0], env) if plain else None
     if items is None or "key" not in keywords:
         return None if items is None else lists.folder.list_changes.ordered(items)
     keys = [_applied(lists, keywords["key"], item, env) for item in items]
@@ -202,6 +209,8 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "range": _range,
         "list": _copied,
         "tuple": _copied,
+        "set": _set,
+        "frozenset": _set,
         "copy": lambda lists, call, env: lists.items(call.receiver, env) if not call.args else None,
         "map": _mapped,
         "sorted": _sorted,
@@ -222,3 +231,5 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
     }
 )
 """Calls of Python that give lists, as functions or as methods."""
+ORDERLESS: Final = frozenset({"set", "frozenset", "list", "tuple", "copy", "map", "sorted"})
+"""Those that ask no more of the order of what they get than who asks them."""

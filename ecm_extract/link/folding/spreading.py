@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from ecm_extract.link.code.calls import PLACEHOLDER, Invocation, spreads
 from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY, is_spread
 from ecm_extract.link.code.walk import names_in
-from ecm_extract.link.running.arguments import MAX_HANDED, is_left_alone
+from ecm_extract.link.running.arguments import MAX_HANDED, handed_on
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 from ecm_extract.link.running.values import data_in, is_proved
 
@@ -96,7 +96,7 @@ class Spreading:
         if items is not None:
             given.placed += items
             return
-        shown = self._shown(Bound(values, arg.env))
+        shown = handed_on(Bound(values, arg.env), self.folder.names.argument)
         if isinstance(shown.expr, Items) and depth < MAX_HANDED:
             for item in shown.expr.items:
                 self._place(given, Bound(item, shown.env), depth + 1)
@@ -113,7 +113,7 @@ class Spreading:
         if table is not None:
             given.named |= table
             return
-        shown = self._shown(value)
+        shown = handed_on(value, self.folder.names.argument)
         if not isinstance(shown.expr, Table) or depth >= MAX_HANDED:
             given.table = self._open(shown)
             return
@@ -138,21 +138,6 @@ class Spreading:
         return None if entries is None else found
 
     # --- parameters --------------------------------------------------------------------------------------------
-
-    def _shown(self, value: Bound) -> Bound:
-        """What callers give for a parameter that is only handed on; anything else as it is."""
-        for _ in range(MAX_HANDED):
-            if not self._is_handed_on(value):
-                break
-            given = self.folder.names.argument(value.expr.id, value.env) if isinstance(value.expr, Name) else None
-            if given is None:
-                break
-            value = given
-        return value
-
-    def _is_handed_on(self, value: Bound) -> bool:
-        expr, func = value.expr, value.env.func
-        return isinstance(expr, Name) and expr.id in func.given and is_left_alone(func, expr.id)
 
     def _open(self, value: Bound) -> Bound:
         """A parameter of which the callers know what it is, as the function begins, or what nobody does."""

@@ -80,7 +80,9 @@ class Types:
         if env.func.file.language == "python" and isinstance(expr, Name | Member):
             return self.python.of(expr, env, role)
         bound = env.args.get(expr.id) if isinstance(expr, Name) else None
-        if bound is not None:
+        if isinstance(expr, Op) and expr.op == "[]":
+            bound = self.folder.tables.element(expr, env)
+        if bound is not None and bound.env.depth <= MAX_DEPTH:
             return self.expression(bound.expr, bound.env, role)
         if isinstance(expr, Call | Member | Name | Op):
             values = self.folder.fold(expr, env)

@@ -11,6 +11,7 @@ from itertools import pairwise
 from typing import Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Member, Name
+from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.spelling import last_name
@@ -134,7 +135,7 @@ class NodeSettings:
                 continue
             items = self.folder.lists.items(each.args[0], each.env)
             if items is None:
-                if not self._is_command_line(each.args[0], each.env):
+                if not self._is_command_line(each.args[0], each.env) and not _is_left_out(each.args[0], each.env):
                     found.open() if each.name in _ARGUMENTS else setattr(found, "files", True)
             elif each.name in _ARGUMENTS:
                 self._line(found, items, each)
@@ -195,6 +196,11 @@ def _members(expr: Expr) -> Iterator[str]:
         yield expr.name
     for part in children(expr):
         yield from _members(part)
+
+
+def _is_left_out(given: Expr, env: Env) -> bool:
+    """Tell whether something is what only a maker gives that wants it: `def __init__(self, overrides=None)`."""
+    return isinstance(given, Name) and (given.id, NULL) in env.func.defaults
 
 
 def agreed(found: Sequence[Settings]) -> Settings:

@@ -6,6 +6,7 @@ left over stands in `*args` and `**kwargs`. Where the tree does not show what is
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque, Table, Text
@@ -97,7 +98,7 @@ def _with_argument(found: _Given, arg: Bound) -> _Given:
     if not isinstance(arg.expr, Op) or not is_spread(arg.expr):
         found.placed.append(arg)
         return found
-    spread = _shown(Bound(arg.expr.operands[0], arg.env))
+    spread = handed_on(Bound(arg.expr.operands[0], arg.env), _at_call)
     if not isinstance(spread.expr, Items):
         return found._replace(rest=spread)
     for item in spread.expr.items:
@@ -109,7 +110,7 @@ def _with_keyword(found: _Given, name: str, value: Bound) -> _Given:
     if name != SPREAD:
         found.named[name] = value
         return found
-    spread = _shown(value)
+    spread = handed_on(value, _at_call)
     if not isinstance(spread.expr, Table):
         return found._replace(table=_open(spread))
     for key, each in spread.expr.entries:
@@ -122,18 +123,20 @@ def _with_keyword(found: _Given, name: str, value: Bound) -> _Given:
     return found
 
 
-def _shown(value: Bound) -> Bound:
-    """A display, or the one that a parameter stands for which is only handed on."""
+def handed_on(value: Bound, argument: Callable[[str, Env], Bound | None]) -> Bound:
+    """Return what `argument` gives for a parameter that is only handed on; anything else as it is."""
     for _ in range(MAX_HANDED):
-        given = value.env.args.get(value.expr.id) if isinstance(value.expr, Name) else None
-        if given is None or not isinstance(value.expr, Name) or not _is_handed_on(value.expr.id, value.env.func):
+        name = value.expr.id if isinstance(value.expr, Name) else ""
+        is_handed_on = name in value.env.func.given and is_left_alone(value.env.func, name)
+        given = argument(name, value.env) if is_handed_on else None
+        if given is None:
             break
         value = given
     return value
 
 
-def _is_handed_on(name: str, func: Func) -> bool:
-    return name in func.given and is_left_alone(func, name)
+def _at_call(name: str, env: Env) -> Bound | None:
+    return env.args.get(name)
 
 
 def _open(value: Bound) -> Bound:

@@ -46,7 +46,8 @@ class ChangedOutside:
         """Name of a field -> the functions that change it, or a part of it, with the object that it lies in."""
         found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
         for func in (func for group in self.folder.program.functions.values() for func in group):
-            for key in (*self.folder.flow.outline(func).changes, *self._lent(func)):
+            outline = self.folder.flow.outline(func)
+            for key in {*outline.changes, *outline.altered, *self._lent(func)}:
                 for owner, field in _owned(key):
                     found[field].append((func, owner))
         return found

@@ -259,7 +259,7 @@ class Flow:
 
     def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
         """Return what a loop is over, each element once; None when not all of it is known."""
-        return self.folder.lists.items(over, env)
+        return self.folder.lists.in_any_order(over, env)
 
     def target(self, call: Call, func: Func, at: int) -> Func | None:
         """Return the function with a body that a call in a statement of a function means."""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
+from ecm_extract.infer.held import Held
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance
 
@@ -52,6 +53,15 @@ class ObjectMakers:
                 break
             expr, env = held.expr, held.env or env
         return self.folder.states.constructor(expr, env) if isinstance(expr, Call) else None
+
+    def left_in(self, expr: Member, env: Env) -> tuple[Held, Env] | None:
+        """Return what its constructor leaves a member of the one object of Python with, which nobody changes later."""
+        maker = self.of_python(expr.base, env) if env.func.file.language == "python" else None
+        cls, folder = maker.this if maker is not None else None, self.folder
+        if maker is None or cls is None or folder.object_fields.is_given(expr.name, cls):
+            return None
+        found = folder.members.sources(expr.name, cls, maker)
+        return found[0] if len(found) == 1 and not folder.changed_outside.is_changed(expr.name, cls) else None
 
     def part(self, receiver: Expr | None, cls: Cls, env: Env) -> Instance:
         """Return the part of a class of an object, with what that was made with; of others what their type tells."""

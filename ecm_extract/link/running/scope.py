@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from typing import Final, NamedTuple
 
-from ecm_parsers.source import expr as expressions
+from ecm_parsers.source import expr as kinds
 from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Text
 from ecm_parsers.source.facts import Constant, Statement
 
@@ -16,6 +16,7 @@ from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls, File, Func
+from ecm_extract.link.code.walk import expressions, names_in
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.base_types import BaseTypes
 from ecm_extract.link.running.env import Env
@@ -157,7 +158,7 @@ class Scope:
             for at, statement in enumerate(func.fact.body):
                 target = statement.target
                 if isinstance(target, Member) and target.base != THIS and statement.kind == "set":
-                    known[target.name].append(at)
+                    known[target.name] += [at] * (not _begins(target, statement, func))
         return known
 
     def assigned_outside(self, name: str, language: str) -> Sequence[Definition]:
@@ -212,6 +213,14 @@ def _member_target(statement: Statement, params: set[str]) -> str:
     return ""
 
 
+def _begins(target: Member, statement: Statement, func: Func) -> bool:
+    """Tell whether the body of a class of Python gives it an attribute, as its fields tell."""
+    if func.fact.name != "<module>" or statement.depth or not isinstance(target.base, Name):
+        return False
+    owners = (each for each in func.file.facts.classes if each.name == target.base.id and not each.scope)
+    return any(each.line <= statement.line <= each.end_line for each in owners)
+
+
 def _touched(method: Func) -> set[str]:
     """Names of members, or of what may be one, that a method assigns, calls a method of, or hands to somebody."""
     own = {parameter.name for parameter in method.fact.params}
@@ -220,7 +229,25 @@ def _touched(method: Func) -> set[str]:
     targets += [unstarred(part) for target in targets if isinstance(target, Items) for part in target.items]
     for call in (call for calls in method.calls for call in calls):
         targets += [call.callee.base if isinstance(call.callee, Member) else None, *call.args]
-    return {name for target in targets if (name := _reached(target, own))}
+    found = {name for target in targets if (name := _reached(target, own))}
+    return found | _meant(method, found) if method.file.language == "python" else found
+
+
+def _meant(method: Func, names: Set[str]) -> Set[str]:
+    """Names with those that they are bound to, or to what comes from them."""
+    known = set(names)
+    while more := {name for statement in method.fact.body for name in _bound_to(statement, known)} - known:
+        known |= more
+    return known
+
+
+def _bound_to(statement: Statement, names: Set[str]) -> Iterator[str]:
+    """Yield the names and the members in what a statement binds one of some names to."""
+    target = statement.target
+    parts = map(unstarred, target.items) if isinstance(target, Items) else (target,)
+    if statement.kind != "do" and any(isinstance(part, Name) and part.id in names for part in parts):
+        yield from (expr.name for expr, _ in expressions(statement) if is_own_member(expr))
+        yield from names_in(statement.value)
 
 
 def _reached(expr: Expr | None, own: set[str]) -> str:
@@ -248,7 +275,7 @@ def _with_flag(keywords: dict[str, Expr]) -> dict[str, Expr]:
     """`action="store_true"` is false unless it is given."""
     action = keywords.get("action")
     flag = _FLAGS.get(action.value) if isinstance(action, Text) else None
-    return keywords if flag is None else {"default": expressions.Constant(flag), **keywords}
+    return keywords if flag is None else {"default": kinds.Constant(flag), **keywords}
 
 
 def _is_long(arg: Expr) -> bool:

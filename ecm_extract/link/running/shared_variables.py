@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ecm_parsers.source.expr import Member
+
 from ecm_extract.infer.effects import is_plain
+from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.resolve.cpp_constants import Stated
@@ -35,7 +38,9 @@ class SharedVariables:
     def _changes(self, func: Func, stated: Stated) -> bool:
         name, outline = stated.constant.name, self.folder.flow.outline(func)
         changed = outline.given if is_plain(stated.constant.value) else outline.changes  # who gets a text leaves it
-        roots = [key.rpartition(".")[0] for key in changed if key.rpartition(".")[2] == name and "." in key]
+        own = _defined(func, stated)
+        named = (key for key in changed if key.rpartition(".")[2] == name and "." in key)
+        roots = [key.rpartition(".")[0] for key in named if key != own or outline.changes[key] > 1]
         if any(self._leads_to(root, func, stated) for root in roots):
             return True
         is_local = name in outline.effects.own and func.fact.name != "<module>" and name not in func.fact.shared
@@ -64,3 +69,11 @@ class SharedVariables:
                 for name in self.folder.shifting.names(func):
                     self._naming.setdefault(name, []).append(func)
         return self._naming
+
+
+def _defined(func: Func, stated: Stated) -> str:
+    """The variable of a class as the body of its module names it that gives it its value; empty in other bodies."""
+    constant = stated.constant
+    lines = (each for each in func.fact.body if each.line == constant.line and func.file is stated.file)
+    named = (each.target for each in lines if each.value == constant.value and isinstance(each.target, Member))
+    return next((dotted_name(target) for target in named if target.name == constant.name), "")

@@ -15,9 +15,11 @@ from tree_sitter import Node
 from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Constant, Field
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Loop, Switch
+from ecm_parsers.source.python_class_body import class_attribute, given_before, named_by
 from ecm_parsers.source.python_expr import parts, salvage
 from ecm_parsers.source.python_fields import given_by, gives_field
 from ecm_parsers.source.python_literal import NULL, TRUE
+from ecm_parsers.source.python_named_tuples import made_class
 from ecm_parsers.source.python_partials import value_for
 from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught, types_suppressed
 from ecm_parsers.source.python_scan import Scan, StatementHandler
@@ -107,26 +109,16 @@ def _words(scan: Scan, node: Node) -> set[bytes]:
 def _record(scan: Scan, node: Node, left: Expr, value: Expr | None, type_: str = "") -> None:
     """Emit one binding as statement, constant and field, as its place demands."""
     frame = scan.frame
-    if frame.place == "class" and isinstance(left, Name):
-        _class_attribute(scan, node, left, value, type_)
+    own = named_by(scan, left)
+    if own:
+        class_attribute(scan, node, Field(own, type_, node.start_point[0] + 1, value))
         return
     scan.emit("let" if value is None else "set", node, value, left, type_)
     if frame.place == "module" and isinstance(left, Name) and value is not None:
         scan.constants.append(Constant(left.id, "", value, node.start_point[0] + 1, type_))
+        made_class(scan, left.id, value, node.start_point[0] + 1)
     if type_ and frame.fields is not None and isinstance(left, Member) and left.base == THIS:
         frame.fields.append(Field(left.name, type_, node.start_point[0] + 1, value))
-
-
-def _class_attribute(scan: Scan, node: Node, name: Name, value: Expr | None, type_: str) -> None:
-    frame = scan.frame
-    line = node.start_point[0] + 1
-    if frame.fields is not None:
-        frame.fields.append(Field(name.id, type_, line, value))
-    if value is None:
-        return
-    scan.constants.append(Constant(name.id, frame.scope, value, line, type_))
-    if frame.owner is not None and b"(" in scan.raw(node.parent or node):
-        scan.emit("set", node, value, Member(frame.owner, name.id), type_)
 
 
 def _augmented(scan: Scan, node: Node) -> None:
@@ -135,6 +127,10 @@ def _augmented(scan: Scan, node: Node) -> None:
     if left is None or right is None or operator is None:
         return
     target = scan.expr(left)
+    before = given_before(scan, target)
+    if before is not None:
+        _record(scan, left, target, Op(operator.type[:-1], (before, scan.expr(right))))
+        return
     scan.emit("set", node, Op(operator.type[:-1], (target, scan.expr(right))), target, operator.type)
 
 

@@ -29,6 +29,7 @@ class _Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     apart: frozenset[str]
     makers: frozenset[str]
     factories: tuple[str, ...]
+    tuples: frozenset[str]
 
 
 class Imported(NamedTuple):
@@ -72,6 +73,11 @@ def _table() -> _Table:
 def fills(decorator: str) -> bool:
     """Tell whether a decorator, by its full name, writes the constructor of a class."""
     return decorator in _table().decorators
+
+
+def tuple_makers() -> frozenset[str]:
+    """Return the full names of functions that make a class of named tuples."""
+    return _table().tuples
 
 
 def declared_fields(cls: Class, imports: Iterable[Import]) -> Sequence[DeclaredField] | None:

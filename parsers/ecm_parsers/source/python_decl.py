@@ -100,8 +100,8 @@ def _read_class(scan: Scan, node: Node, decorators: list[Node]) -> None:
     bases = node.child_by_field_name("superclasses")
     fields: list[Field] = []
     # The body of a class runs where the class is declared.
-    frame = Frame("class", _inside(outer.scope, name), outer.body, outer.names, outer.flow)
-    frame.depth = outer.depth
+    frame = Frame("class", _inside(outer.scope, name), outer.body, dict(outer.names), outer.flow)
+    frame.depth = frame.begun = outer.depth
     frame.fields = fields
     frame.owner = Member(outer.owner, name) if outer.owner is not None else Name(name)
     frame.bases = _bases(scan, bases) if bases is not None else ()

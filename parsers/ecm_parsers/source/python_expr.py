@@ -176,6 +176,11 @@ def _items(scan: Scan, node: Node) -> Expr:
     return Items(tuple([scan.expr(child) for child in parts(node)]))
 
 
+def _set_of(elements: Expr) -> Expr:
+    """`{a, b}` is `set([a, b])`: a list without an order."""
+    return Call(Name("set"), (elements,))
+
+
 def _table(scan: Scan, node: Node) -> Expr:
     entries: list[tuple[Expr, Expr]] = []
     for child in parts(node):
@@ -325,8 +330,8 @@ EXPRESSIONS: Mapping[str, ExprHandler] = {
     "pair": _pair_table,
     "parenthesized_expression": _inner,
     "pattern_list": _items,
-    "set": _items,
-    "set_comprehension": _comprehension,
+    "set": lambda scan, node: _set_of(_items(scan, node)),
+    "set_comprehension": lambda scan, node: _set_of(_comprehension(scan, node)),
     "slice": _slice,
     "string": _string,
     "subscript": _subscript,

@@ -39,13 +39,14 @@ class Frame:
         names: expressions of names and dotted names seen, by source bytes; maps the receiver to `this`.
         fields: of the class being read, also in its `__init__`; None elsewhere.
         owner: the class as an expression, in a class body. bases: its bases as written, also in its methods.
-        depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
+        depth: how many conditions and loops enclose the current statement. begun: its body. lambdas: how many do.
             attempts: how many `try`. yields: how many `yield`, whose answers all but `unanswered` use.
     """
 
     __slots__ = (
         "attempts",
         "bases",
+        "begun",
         "body",
         "depth",
         "fields",
@@ -79,7 +80,7 @@ class Frame:
         self.fields: list[Field] | None = None
         self.owner: Expr | None = None
         self.bases: tuple[str, ...] = ()
-        self.depth = 0
+        self.depth = self.begun = 0
         self.lambdas = 0
         self.attempts = 0
         self.yields = 0
@@ -145,6 +146,14 @@ class Scan:
             found = Member(self.name(base), text) if dot else Name(text)
             names[raw] = found
         return found
+
+    def names_again(self, name: str, meant: Member) -> Member:
+        """Let a name mean something else from here on, and return that."""
+        raw, names = name.encode(), self.frame.names
+        for dotted in [each for each in names if each.startswith(raw + b".")]:
+            del names[dotted]
+        names[raw] = meant
+        return meant
 
     def names_of(self, receiver: bytes) -> dict[bytes, Expr]:
         """Names seen in methods whose first parameter is `receiver`."""

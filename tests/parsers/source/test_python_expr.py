@@ -123,7 +123,7 @@ def test_number_or_constant_is_read_in_every_python_form(source: str, expected: 
         ("[a, 'x']", Items((A, Text("x")))),
         ("(a,)", Items((A,))),
         ("a, b", Items((A, B))),
-        ("{a, b}", Items((A, B))),
+        ("{a, b}", Call(Name("set"), (Items((A, B)),))),
         ("[]", Items(())),
         ("{'k': a, **b}", Table(((Text("k"), A), (NULL, B)))),
         ("(a)", A),
