@@ -13,9 +13,9 @@ from ecm_extract.tree import FileDiagnostic
 
 MAX_QUESTION: Final = 1_500
 """Evaluations for one name, type or profile; the most that one took in 65 public repositories was 331."""
-MAX_FUNCTION: Final = 20_000
+MAX_FUNCTION: Final = 60_000
 """Statements and evaluations in the runs of one function, whatever it is handed: the most evaluations that one took in
-25 public repositories are 14,000. One that works on data may take a hundred times as many, which tell no names."""
+60 public repositories are 30,000. One that works on data may take a hundred times as many, which tell no names."""
 PER_RUN: Final = 50
 """What a function has beyond those for each run, so that one that everybody calls is not cut off."""
 LEAST_RUN: Final = 2_000_000

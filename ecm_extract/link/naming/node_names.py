@@ -103,18 +103,25 @@ class NodeNames:
             return found
         return _agreed(made) or replace(found, text=_OPEN, space=_OPEN_SPACE)
 
+    def own_settings(self, unit: Cls | Func) -> Settings:
+        """Return what a class gives the node that it is, or a program the node that it begins, whoever runs it."""
+        if isinstance(unit, Func):
+            return self.settings_of(unit)
+        found = self._passed_on(Instance(unit, {}, {}))
+        return found.settings or Settings() if found is not None else Settings()
+
+    def is_loaded(self, unit: Cls | Func) -> bool:
+        """Tell whether somebody else may load the node of a class: it is registered as a component."""
+        return unit in self.registered
+
     def settings_of(self, unit: Cls | Func) -> Settings:
-        """Return what parameters of the node of a class or of a program are given instead of their defaults."""
+        """Return what all who make the node of a class, or of a program, give it."""
         if isinstance(unit, Func):
             name = self.of_program(unit)
             return name.settings or Settings() if name is not None else Settings()
         made = [name for cls in (unit, *self.folder.program.derived(unit)) for name in self._makings(cls)]
-        found = [name.settings or Settings() for name in made if name is not None] or [self._own_settings(unit)]
-        return agreed(found + [self._own_settings(unit)] * (unit in self.registered))
-
-    def _own_settings(self, cls: Cls) -> Settings:
-        found = self._passed_on(Instance(cls, {}, {}))
-        return found.settings or Settings() if found is not None else Settings()
+        found = [name.settings or Settings() for name in made if name is not None] or [self.own_settings(unit)]
+        return agreed(found + [self.own_settings(unit)] * (unit in self.registered))
 
     def _by_default(self, cls: Cls) -> NodeName | None:
         """The name that a class gives its node where nobody is seen to give it arguments."""

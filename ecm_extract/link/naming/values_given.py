@@ -18,12 +18,21 @@ class ValuesGiven:
     def __init__(self, names: NodeNames) -> None:
         self.names = names
         self._known: dict[Cls | Func, Settings] = {}
+        self._own: dict[Cls | Func, Settings] = {}
 
     def of(self, site: Site, name: str, default: Bound | None) -> Bound | None:
-        """Return what a parameter begins with that is declared with a default; None where nobody knows."""
+        """Return what a parameter begins with that is declared with a default; None where nobody knows.
+
+        What makers give a node that others may load as well sets the parameter, as a launch file does.
+        """
         if site.root.file.ros == 1 or not site.form.row.value:
             return default
-        return self._of(site).of_parameter(name, default)
+        unit = site.owner or site.root
+        if unit not in self._own:
+            self._own[unit] = self.names.own_settings(unit)
+        begun = self._own[unit].of_parameter(name, default)
+        made = self._of(site).parameters if begun is default and not self.names.is_loaded(unit) else {}
+        return made.get(name, begun)
 
     def renamed(self, site: Site, name: Value, handle: Handle, node: str | None) -> Value:
         """Return the name of an endpoint, or the one that a rule for it gives it instead."""
@@ -44,6 +53,7 @@ class ValuesGiven:
     def forget(self) -> None:
         """Drop what was asked, since more of the values is known now."""
         self._known.clear()
+        self._own.clear()
 
 
 def _absolute(target: Value, space: str) -> Value:
