@@ -98,7 +98,7 @@ class NodeNames:
 
     def _renamed(self, found: NodeName, cls: Cls) -> NodeName:
         """The name that a class states, or the one that all who make its node give it instead by their options."""
-        made = [name for name in self._makings(cls) if name is not None] + [found] * (cls in self.registered)
+        made = [name for name in self._makings(cls) if name is not None] if cls not in self.registered else []
         if all(name.full == found.full for name in made):
             return found
         return _agreed(made) or replace(found, text=_OPEN, space=_OPEN_SPACE)
@@ -110,18 +110,17 @@ class NodeNames:
         found = self._passed_on(Instance(unit, {}, {}))
         return found.settings or Settings() if found is not None else Settings()
 
-    def is_loaded(self, unit: Cls | Func) -> bool:
-        """Tell whether somebody else may load the node of a class: it is registered as a component."""
-        return unit in self.registered
-
     def settings_of(self, unit: Cls | Func) -> Settings:
-        """Return what all who make the node of a class, or of a program, give it."""
+        """Return what all who make the node of a class, or of a program, give it.
+
+        What one gives a component, which others load, sets something in that process only, as a launch file does.
+        """
         if isinstance(unit, Func):
             name = self.of_program(unit)
             return name.settings or Settings() if name is not None else Settings()
-        made = [name for cls in (unit, *self.folder.program.derived(unit)) for name in self._makings(cls)]
-        found = [name.settings or Settings() for name in made if name is not None] or [self.own_settings(unit)]
-        return agreed(found + [self.own_settings(unit)] * (unit in self.registered))
+        classes = (unit, *self.folder.program.derived(unit)) if unit not in self.registered else ()
+        made = [name for cls in classes for name in self._makings(cls)]
+        return agreed([name.settings or Settings() for name in made if name is not None] or [self.own_settings(unit)])
 
     def _by_default(self, cls: Cls) -> NodeName | None:
         """The name that a class gives its node where nobody is seen to give it arguments."""

@@ -21,18 +21,14 @@ class ValuesGiven:
         self._own: dict[Cls | Func, Settings] = {}
 
     def of(self, site: Site, name: str, default: Bound | None) -> Bound | None:
-        """Return what a parameter begins with that is declared with a default; None where nobody knows.
-
-        What makers give a node that others may load as well sets the parameter, as a launch file does.
-        """
+        """Return what a parameter begins with that is declared with a default; None where nobody knows."""
         if site.root.file.ros == 1 or not site.form.row.value:
             return default
         unit = site.owner or site.root
         if unit not in self._own:
             self._own[unit] = self.names.own_settings(unit)
         begun = self._own[unit].of_parameter(name, default)
-        made = self._of(site).parameters if begun is default and not self.names.is_loaded(unit) else {}
-        return made.get(name, begun)
+        return self._of(site).parameters.get(name, begun)
 
     def renamed(self, site: Site, name: Value, handle: Handle, node: str | None) -> Value:
         """Return the name of an endpoint, or the one that a rule for it gives it instead."""
