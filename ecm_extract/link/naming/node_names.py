@@ -94,7 +94,7 @@ class NodeNames:
         made = self._makings(cls)
         given = _agreed(made)
         if given is not None and given.is_open and cls in self.registered:
-            given = None  # who loads a component gives it nothing
+            made, given = (), None  # who loads a component gives it nothing
         told = given or self._left_to_another(cls) or self._by_default(cls) or found
         others = {name.space for name in made if name is not None}
         return replace(told, space=_OPEN_SPACE) if told is not None and others - {told.space} else told
