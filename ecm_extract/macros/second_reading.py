@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ecm_parsers.source.cpp_macro_definitions import HINT, is_calling, leading
-from ecm_parsers.source.facts import Replacement
+from ecm_parsers.source.facts import Replacement, SourceFile
 
 from ecm_extract.link.code.units import File
 from ecm_extract.link.owning.built import files_of
@@ -22,7 +22,7 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.headers import Headers
 from ecm_extract.resolve.layout import layouts
 from ecm_extract.resolve.sight import Sight
-from ecm_extract.tree import Tree
+from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
 
 _WORD = re.compile(rb"[A-Za-z_]\w*")
 _Macros = tuple[Replacement, ...]
@@ -58,8 +58,24 @@ def read_with_header_macros(packages: Sequence[PackageFacts], tree: Tree, rows: 
             for entry in read.diagnostics:
                 if entry.code == MACROS_CUT:
                     tree.report(located(path, entry))
-            if not any(entry.cut for entry in read.diagnostics):
+            if _breaks(found.package.sources[path], read.facts):
+                tree.report(_broken(path))
+            elif not any(entry.cut for entry in read.diagnostics):
                 found.package.sources[path] = read.facts
+
+
+def _breaks(before: SourceFile, after: SourceFile) -> bool:
+    """Whether what macros stand for is no C++ for the parser, so that classes of a file are lost with it."""
+    return not {each.name for each in before.classes} <= {each.name for each in after.classes}
+
+
+def _broken(path: str) -> FileDiagnostic:
+    shown = printable(path)
+    text = (
+        "With the macros of its headers in their places this file cannot be read: it is taken as it is written, and "
+        "what they declare is not told. Declare it without a macro."
+    )
+    return FileDiagnostic("warning", "cpp-macros", shown, 0, text, Unread(shown, "undecided"))
 
 
 def _is_concerned(package: PackageFacts, known: _Known) -> bool:

@@ -77,3 +77,20 @@ def test_bodies_that_invite_to_try_all_ways_take_no_time() -> None:
     begun = time.process_time()
     assert declaring_macros(SourceFile("cpp", undecided=macros), {"get"}) == []
     assert time.process_time() - begun < 1
+
+
+def test_macros_that_break_a_file_are_left_out_and_told(workspace: Any) -> None:
+    """Where what macros stand for is no code for the parser, the classes of the file are told as they are written."""
+    header = "#define ASK(n) declare_parameter(#n, 1); ((( {{{ case\n"
+    source = (
+        '#include "rclcpp/rclcpp.hpp"\n#include "pkg/rows.hpp"\nnamespace a {\n'
+        'class D : public rclcpp::Node {\npublic:\n  D() : Node("d") {\n'
+        '    create_publisher<std_msgs::msg::String>("out", 1);\n    ASK(rate)\n  }\n};\n}\n'
+    )
+    workspace.package({"include/pkg/rows.hpp": header, "src/d.cpp": source}, name="pkg")
+    read = extract(open_tree(workspace.root), Options(jobs=1))
+    names = {
+        each.name for package in read.packages for module in package.modules for each in module.signature.interfaces
+    }
+    assert "/out" in names
+    assert [each.reason for each in read.unread] == ["undecided"]
