@@ -37,6 +37,11 @@ class Consisting:
         """Forget what was found of variables: what they held when a round of a loop began is known now."""
         self._of_ways.clear()
 
+    def forget(self) -> None:
+        """Drop all that was found, since the run is over: who ran it may be kept by a circle until the end of all."""
+        self._contents.clear()
+        self._of_ways.clear()
+
     def named(self, keys: Iterable[str], state: State) -> set[str]:
         """Return variables with those that they are, or consist of, and what these consist of."""
         found, pending = set[str](), list(keys)

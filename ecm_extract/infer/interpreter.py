@@ -56,6 +56,7 @@ class Interpreter:
         run = self.frame.run
         end = self.run(self.frame.outline.block, State())
         run.end, run.steps = joined_states([*self.exits.left, end]), self.frame.steps
+        self.memory.sharing.consisting.forget()
         return run
 
     # --- blocks ------------------------------------------------------------------------------------------
