@@ -70,7 +70,8 @@ class Looping:
     def _while(self, loop: Loop, state: State) -> State | None:
         """Run rounds while the condition is decided; one that never ends by it, while it is decided what ends it."""
         assert loop.test is not None
-        if self._runs_forever(loop):
+        endless = self._is_endless(loop, state)
+        if endless and not self._may_be_left(loop):
             return self._blur(loop, state)
         self.exits.enter_loop()
         current = state
@@ -87,7 +88,7 @@ class Looping:
             if after is None:
                 return self._exit(loop, None)
             current = after
-            if _is_endless(loop) and self._left() > before:
+            if endless and self._left() > before:
                 return self._exit(loop, self._blur(loop, current))
         return self._exit(loop, current)
 
@@ -95,12 +96,15 @@ class Looping:
         """How many ways out of the loop at hand were found so far."""
         return self.exits.broken() + self.exits.ways_out
 
-    def _runs_forever(self, loop: Loop) -> bool:
-        """Whether nothing in a loop ends it: no round tells more than any."""
+    def _is_endless(self, loop: Loop, state: State) -> bool:
+        """Whether what a loop asks holds in all rounds: `while True`."""
+        fixed = isinstance(loop.test, Constant | Number)
+        return fixed and loop.test is not None and self.frame.judge.truth(loop.test, self.frame.place(state)) is True
+
+    def _may_be_left(self, loop: Loop) -> bool:
+        """Whether something in a loop may end it; otherwise no round tells more than any."""
         ends = any(isinstance(step, Leave) and step.how != "continue" for step in steps(loop.body))
-        return _is_endless(loop) and not (
-            ends or any(self.frame.body[at].kind == "return" for at in statements(loop.body))
-        )
+        return ends or any(self.frame.body[at].kind == "return" for at in statements(loop.body))
 
     def _blur(self, loop: Loop, state: State) -> State | None:
         """Run the body once with what it changes unknown, which stands for any number of rounds."""
@@ -130,8 +134,3 @@ class Looping:
             head.how, head.before = "looped", ways
             head.settled.clear()
             self.memory.sharing.consisting.loop_ended()
-
-
-def _is_endless(loop: Loop) -> bool:
-    """Whether what a loop asks is the same in all rounds: `while True`."""
-    return isinstance(loop.test, Constant | Number)

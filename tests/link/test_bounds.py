@@ -152,6 +152,22 @@ def test_an_endless_loop_is_run_while_it_is_known_what_ends_it(workspace: Any, b
     assert {entry.name for entry in workspace.interfaces() if entry.role == "publisher"} == told
 
 
+@pytest.mark.parametrize(
+    "loop",
+    [
+        "do { ++i; name += std::to_string(i); } while (0);",
+        "do { ++i; name += std::to_string(i); } while (false);",
+        'while (false) { name = "never"; } name += "1";',
+        'while (0) { name = "never"; } name += "1";',
+    ],
+)
+def test_a_loop_that_asks_what_never_holds_ends_at_once(workspace: Any, loop: str) -> None:
+    """`do ... while (0)` is run once, and `while (false)` never: neither is a loop without an end."""
+    body = f'std::string name = "t"; int i = 0; {loop} create_publisher<std_msgs::msg::String>(name, 1);'
+    workspace.package({"src/d.cpp": _CPP.format(body)})
+    assert [entry.name for entry in workspace.interfaces() if entry.role == "publisher"] == ["/t1"]
+
+
 _DATA = """
 import rospy
 from std_msgs.msg import String
