@@ -35,8 +35,13 @@ def paths_of(target: Target, file: str) -> Iterator[str]:
         file: that makes it.
     """
     for source in target.sources:
-        path = normpath(join(dirname(file), source))
-        yield from (path + suffix for suffix in _SUFFIXES)
+        yield from paths_of_source(source, file)
+
+
+def paths_of_source(source: str, file: str) -> Iterator[str]:
+    """Yield the paths of the tree that one source of a target may stand for, that it is named by first."""
+    path = normpath(join(dirname(file), source))
+    yield from (path + suffix for suffix in _SUFFIXES)
 
 
 def _has_pattern(target: Target) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from ecm_checker.contract import Interface
 from ecm_checker.hub.condition import Condition
@@ -11,8 +12,13 @@ from ecm_checker.hub.condition import Condition
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.system.node_model import Endpoint, SystemNode
 
-_Line = tuple[str, str, int]
-"""Role, path and line."""
+
+class _Line(NamedTuple):
+    """Where an endpoint of a role is made."""
+
+    role: str
+    path: str
+    line: int
 
 
 class Switches:
@@ -30,12 +36,12 @@ class Switches:
 
     def _add(self, entry: Interface) -> None:
         for line in entry.evidence[:1]:
-            self._made[entry.role, line.path, line.line].append(entry.when)
+            self._made[_Line(entry.role, line.path, line.line)].append(entry.when)
 
     def is_off(self, entry: Endpoint, node: SystemNode) -> bool:
         """Whether a node, as it is started, does not make an endpoint: a parameter of it says so each time."""
         values = _values(node)
-        ways = self._made.get((entry.role, entry.place.path, entry.place.line), [])
+        ways = self._made.get(_Line(entry.role, entry.place.path, entry.place.line), [])
         return bool(ways) and all(
             any(each.holds(values, "parameter") is False for each in conditions) for conditions in ways
         )

@@ -118,7 +118,7 @@ class Reader:
             for path in package.cmake:
                 self._count(path, len(self._contents.read(path) or b""), ())
             self._read_package(package)
-        report_absent(packages, build_files, self.tree)
+        report_absent(packages, build_files, self.tree, self.exclude)
         self._contents.drop()
 
     def _take_source(self, package: PackageFacts, path: str, content: BlobFacts) -> None:

@@ -9,6 +9,7 @@ import pytest
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
 from ecm_extract.tree import open_tree
+from ecm_extract.tree.unread import is_gap
 
 _HEAD = "find_package(rclcpp REQUIRED)\nfind_package(makers REQUIRED)\n"
 _MADE = "make_code(YAML params.yaml OUT made.cpp)\n"
@@ -48,3 +49,13 @@ def test_a_source_that_is_not_in_the_tree_is_a_gap(workspace: Any, cmake: str, p
 def test_what_lies_elsewhere_or_only_some_builds_have_is_none(workspace: Any, cmake: str) -> None:
     """Sources without a suffix, of unknown folders, of tests and of options say nothing about the contract."""
     assert _unread(workspace, cmake) == []
+
+
+def test_one_that_the_project_leaves_out_is_told_and_no_gap(workspace: Any) -> None:
+    """What it declares stands in the overlay, so the answer is whole."""
+    files = {"src/a.cpp": "int main() {}", "CMakeLists.txt": _HEAD + _MADE + "add_executable(a src/a.cpp made.cpp)\n"}
+    workspace.package(files, name="p")
+    (workspace.root / "ecm.toml").write_text('[extract]\nexclude = ["made.cpp"]\n')
+    found = extract(open_tree(workspace.root), Options(jobs=1))
+    assert [entry.reason for entry in found.unread if entry.path.endswith("p/made.cpp")] == ["excluded"]
+    assert not any(map(is_gap, found.unread))

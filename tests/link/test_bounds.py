@@ -199,4 +199,6 @@ def test_a_function_that_works_on_data_costs_the_others_nothing(workspace: Any) 
         each for package in found.packages for module in package.modules for each in module.signature.interfaces
     ]
     assert {"/ab", "/s0", "/s39"} <= {entry.name for entry in interfaces}
-    assert [entry.line for entry in found.diagnostics if entry.code == "values-left-out"] == [5]
+    [told] = [entry for entry in found.diagnostics if entry.code == "function-left-out"]
+    assert (told.line, told.message.split(",")[0]) == (5, "work takes too many steps to be followed to its end: values")
+    assert [entry.reason for entry in found.unread] == ["unjudged"]

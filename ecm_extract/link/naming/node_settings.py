@@ -135,14 +135,22 @@ class NodeSettings:
                 continue
             items = self.folder.lists.items(each.args[0], each.env)
             if items is None:
-                if not self._is_command_line(each.args[0], each.env) and not _is_left_out(each.args[0], each.env):
-                    found.open() if each.name in _ARGUMENTS else setattr(found, "files", True)
+                self._unlisted(found, each)
             elif each.name in _ARGUMENTS:
                 self._line(found, items, each)
             else:
                 for item in items:
                     self._add(found, item.expr, each._replace(env=item.env))
         return found
+
+    def _unlisted(self, found: Settings, told: _Told) -> None:
+        """What nobody knows the elements of may give anything, but for the command line of the program."""
+        if self._is_command_line(told.args[0], told.env) or _is_left_out(told.args[0], told.env):
+            return
+        if told.name in _ARGUMENTS:
+            found.open()
+        else:
+            found.files = True
 
     def _add(self, found: Settings, entry: Expr, told: _Told) -> None:
         """A parameter with its value: `{"rate", 5.0}`, `Parameter("rate", 5.0)`, `Parameter("rate", value=5.0)`."""
