@@ -11,6 +11,7 @@ from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave
 
 from ecm_extract.infer.exits import Around, Exits
 from ecm_extract.infer.held import Held, State, joined_states
+from ecm_extract.infer.narrowing import narrowings
 from ecm_extract.infer.routes import OPEN
 from ecm_extract.infer.run import Frame, Raised
 
@@ -54,7 +55,13 @@ class Branching:
             if found.holds is not None:
                 return Sides(state, None) if found.holds else Sides(None, state)
             gate = None if found == OPEN else gate
-        taken, passed = (state.on(self.frame.side(test, holds, state, gate)) for holds in (True, False))
+        told = narrowings(self.frame, test, state)
+        taken, passed = (
+            state.on(self.frame.side(test, holds, state, gate)).having(
+                {name: each.on(holds) for name, each in told.items()}
+            )
+            for holds in (True, False)
+        )
         return Sides(taken, passed)
 
     def _side(self, block: Block, taken: State | None, before: State) -> State | None:

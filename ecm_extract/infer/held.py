@@ -62,6 +62,7 @@ class Held:
         before: what it held before.
         settled: what was found when it was evaluated, by the kind of question.
         parts: what it held on each of the routes that met, which parted at `since`.
+        whole: of `met`, what it was before a test, of which only what passes that is left; None where none was made.
     """
 
     how: How
@@ -74,6 +75,7 @@ class Held:
     settled: dict[str, object] = field(default_factory=dict)
     parts: tuple[Part, ...] = ()
     since: Route = START
+    whole: Held | None = None
 
     @property
     def length(self) -> int:
@@ -212,8 +214,9 @@ def _joined(one: State, other: State) -> State:
     holds: dict[str, tuple[Held, ...]] = {}
     for name in one.holds.apart(other.holds):
         left, right = one.holds.get(name) or (_given(name, one),), other.holds.get(name) or (_given(name, other),)
-        if left is right:
-            holds[name] = left
+        before = _before_tests(left)
+        if left is right or before == _before_tests(right):
+            holds[name] = left if left is right else before
             continue
         key = (left, right)  # what two names share before, they share after
         if key not in met:
@@ -222,6 +225,11 @@ def _joined(one: State, other: State) -> State:
             met[key] = either(name, left, right) if same else (Held("met", name, parts=parts, since=since),)
         holds[name] = met[key]
     return State(one.holds.having(holds), path, route, called)
+
+
+def _before_tests(ways: tuple[Held, ...]) -> tuple[Held, ...]:
+    """What a variable may hold if no test was made: what one lets pass on its two sides is all of that."""
+    return tuple([held.whole or held for held in ways])
 
 
 def _given(name: str, state: State) -> Held:

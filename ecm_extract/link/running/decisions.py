@@ -119,7 +119,7 @@ class Decisions:
         if cuts == self.folder.cuts:
             for held, ways in found.items():
                 held.settled[_TAKEN] = ways
-        return _joined(helds, found)
+        return _joined(helds, found) or self.ways(tuple([held.whole or held for held in helds]))
 
     def _find(self, first: Held, found: dict[Held, tuple[Held, ...]]) -> None:
         """Find what each of the things holds that met, and those that met to make it: there may be thousands."""
@@ -140,10 +140,12 @@ class Decisions:
             found[held] = _joined([way for part in taken[held] for way in part.ways], found)
 
     def _taken(self, held: Held) -> Sequence[Part]:
-        """The parts on routes that may be taken, likely ones first; all of them where none may."""
+        """The parts on routes that may be taken, likely ones first; all of them where none may, but of a test."""
         since = held.since
-        live = [part for part in held.parts if self.is_live(part.route, since)] or held.parts
-        return live if len(live) == 1 else sorted(live, key=lambda part: not self.is_likely(part.route, since))
+        live = [part for part in held.parts if self.is_live(part.route, since)]
+        if not live and held.whole is None:
+            live = list(held.parts)
+        return live if len(live) <= 1 else sorted(live, key=lambda part: not self.is_likely(part.route, since))
 
 
 def _joined(helds: Iterable[Held], found: Mapping[Held, tuple[Held, ...]]) -> tuple[Held, ...]:
