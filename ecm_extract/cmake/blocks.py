@@ -62,15 +62,15 @@ def _scoped(run: Run, branch: Branch, place: Place) -> bool:
     if "VARIABLES" not in kinds:
         before = policies.held(run.state.variables)
         goes_on = run.steps(branch.body, place)
-        policies.put_back(run.state.variables, before)
+        policies.put_back(run.state, before)
         return goes_on
-    run.state.scopes.append(dict(run.state.variables))
+    run.state.enter({})
     goes_on = run.steps(branch.body, place)
-    inner = run.state.scopes.pop()
+    inner = run.state.end()
     for name in groups.get("PROPAGATE", []):
         run.state.assign(name, inner.get(name, Value((None,))))
     if "POLICIES" not in kinds:
-        policies.put_back(run.state.variables, policies.held(inner))
+        policies.put_back(run.state, policies.held(inner))
     return goes_on
 
 
@@ -192,7 +192,7 @@ def _turns(run: Run, branch: Branch, turns: Sequence[_Turn], place: Place) -> bo
         goes_on = _turn(run, branch, turn, place)
     for name, value in outer.items():
         if value is None:
-            run.state.variables.pop(name, None)
+            run.state.own().pop(name, None)
         else:
             run.state.assign(name, value)
     return goes_on

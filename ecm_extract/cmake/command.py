@@ -145,17 +145,17 @@ def _invoke_each(run: Run, command: Command, function: Function, place: Place) -
 def _invoke(run: Run, function: Function, args: tuple[str, ...], place: Place) -> bool:
     run.work += len(args) // 8 + (0 if function.is_macro else len(run.state.variables) // 20)
     before = policies.held(run.state.variables)
-    policies.put_back(run.state.variables, function.policies)
+    policies.put_back(run.state, function.policies)
     goes_on = _run_body(run, function, args, place)
     own = policies.changed(function.policies, run.state.variables)
-    policies.put_back(run.state.variables, {**before, **own})
+    policies.put_back(run.state, {**before, **own})
     return goes_on
 
 
 def _run_body(run: Run, function: Function, args: tuple[str, ...], place: Place) -> bool:
     if function.is_macro:
         return run.steps(substituted(function, args), place)
-    run.state.scopes.append({**run.state.variables, **bound(function, args)})
+    run.state.enter(bound(function, args))
     goes_on = run.bounded(frozenset({"return"}), lambda: run.steps(function.body, place))
-    run.state.scopes.pop()
+    run.state.end()
     return goes_on

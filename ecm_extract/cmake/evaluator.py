@@ -38,7 +38,7 @@ def evaluate(files: BuildFiles, top: str) -> Evaluation:
         files: of the tree.
         top: path of the file of the package.
     """
-    run = Run(files, _Handlers(), setters(files), State([at_start()]), Evaluation(files))
+    run = Run(files, _Handlers(), setters(files), State(at_start()), Evaluation(files))
     for name in ("CMAKE_SOURCE_DIR", "CMAKE_CURRENT_SOURCE_DIR", "PROJECT_SOURCE_DIR"):
         run.set(name, placed(posixpath.dirname(top)))
     for name in ("CMAKE_BINARY_DIR", "CMAKE_CURRENT_BINARY_DIR", "PROJECT_BINARY_DIR"):

@@ -8,8 +8,7 @@ from typing import Final, Generic, TypeVar
 import msgspec
 
 from ecm_extract.cmake.outside import Outside
-from ecm_extract.cmake.state import Scope
-from ecm_extract.cmake.values import unknown
+from ecm_extract.cmake.values import Value, unknown
 
 MAX_WORLDS: Final = 8
 Result = TypeVar("Result")
@@ -27,7 +26,7 @@ class Outcomes(msgspec.Struct, Generic[Result], frozen=True):
 class Look:
     """Variables as one of the possible worlds has them; it remembers which of several texts were asked for."""
 
-    def __init__(self, scope: Scope, chosen: Mapping[str, str | None], outside: Outside) -> None:
+    def __init__(self, scope: Mapping[str, Value], chosen: Mapping[str, str | None], outside: Outside) -> None:
         self._scope = scope
         self._chosen = chosen
         self._outside = outside
@@ -77,7 +76,7 @@ class Look:
         return self.get(name) or ""
 
 
-def worlds(scope: Scope, outside: Outside, run: Callable[[Look], Result]) -> Outcomes[Result]:
+def worlds(scope: Mapping[str, Value], outside: Outside, run: Callable[[Look], Result]) -> Outcomes[Result]:
     """Run something with the first texts, then again with each other text of what it asked for."""
     look = Look(scope, {}, outside)
     first = run(look)
@@ -85,7 +84,7 @@ def worlds(scope: Scope, outside: Outside, run: Callable[[Look], Result]) -> Out
     return Outcomes(first, tuple(others), look.sure, frozenset(look.several))
 
 
-def _choices(scope: Scope, look: Look) -> Iterator[Mapping[str, str | None]]:
+def _choices(scope: Mapping[str, Value], look: Look) -> Iterator[Mapping[str, str | None]]:
     count = 1
     for name in look.several:
         for text in scope[name].texts[1:] if name in scope else (unknown(name),):

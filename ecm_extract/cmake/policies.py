@@ -11,7 +11,7 @@ from typing import Final
 
 from ecm_extract.cmake.change import Change
 from ecm_extract.cmake.look import Look
-from ecm_extract.cmake.state import Scope
+from ecm_extract.cmake.state import State
 from ecm_extract.cmake.values import Value
 
 PREFIX: Final = "\x06POLICY\x06"
@@ -24,19 +24,22 @@ _KNOWN_TO_ALL: Final = "CMP0071"
 """The last policy of CMake 3.10, the oldest one of a distribution that is still built."""
 
 
-def held(scope: Scope) -> Mapping[str, Value]:
+def held(scope: Mapping[str, Value]) -> Mapping[str, Value]:
     """Return the policies that hold, to be put back where what is run now ends."""
     return {name: scope[name] for name in _NAMES if name in scope}
 
 
-def put_back(scope: Scope, before: Mapping[str, Value]) -> None:
+def put_back(state: State, before: Mapping[str, Value]) -> None:
     """Let the policies hold again that held before."""
+    if held(state.variables) == before:
+        return
+    scope = state.own()
     for name in _NAMES:
         scope.pop(name, None)
     scope.update(before)
 
 
-def changed(before: Mapping[str, Value], scope: Scope) -> Mapping[str, Value]:
+def changed(before: Mapping[str, Value], scope: Mapping[str, Value]) -> Mapping[str, Value]:
     """Return the policies that were set since; what a macro does to them its caller sees."""
     return {name: value for name, value in held(scope).items() if before.get(name) != value}
 

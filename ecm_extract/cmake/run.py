@@ -167,10 +167,10 @@ class Run:
     def branches(self, arms: Sequence[Arm]) -> bool:
         """Run each arm from here, and join what those leave that come to their end."""
         base, path = self.state.snapshot(), self.state.path
-        self.work += len(arms) * (1 + len(base.scopes[-1]) // 20)
+        self.work += len(arms) * (1 + len(self.state.variables) // 20)
         before, ends = len(self.state.left), list[Snapshot]()
         for arm in arms:
-            self.state.restore(base)
+            self.state.restore(base.scopes)
             self.state.path = path
             self.state.below(arm.condition, arm.by_default, arm.is_test)
             if arm.run():
@@ -178,7 +178,7 @@ class Run:
         self.state.path = path
         if not ends:
             return False
-        self.state.scopes = meet(ends, self.outside.may_set)
+        self.state.restore(meet(ends, self.outside.may_set))
         if len(self.state.left) > before:
             self.state.path = _of_those_left(path, ends)
         return True
@@ -194,7 +194,7 @@ class Run:
         self.state.left = [*outer, *others]
         self.state.path = _of_those_left(path, ends) if others and ends else path
         if ends:
-            self.state.scopes = meet(ends, self.outside.may_set)
+            self.state.restore(meet(ends, self.outside.may_set))
         return goes_on or bool(mine)
 
 

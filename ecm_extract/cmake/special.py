@@ -79,7 +79,7 @@ def _with_own_policies(run: Run, path: str, args: tuple[str, ...], place: Place)
     before = policies.held(run.state.variables)
     goes_on = run_file(run, path, place)
     if "NO_POLICY_SCOPE" not in args:
-        policies.put_back(run.state.variables, before)
+        policies.put_back(run.state, before)
     return goes_on
 
 
@@ -119,11 +119,11 @@ def _subdirectory(run: Run, command: Command, args: tuple[str, ...], place: Plac
     if not folder or not run.files.has(path):
         run.open(place, command.line, f"add_subdirectory of {written(args[0]) if args else 'nothing'}")
         return True
-    run.state.scopes.append(dict(run.state.variables))
+    run.state.enter({})
     run.set("CMAKE_CURRENT_SOURCE_DIR", placed(folder))
     run.set("CMAKE_CURRENT_BINARY_DIR", f"{BINARY}/{folder}")
     goes_on = run_file(run, path, place)
-    run.state.scopes.pop()
+    run.state.end()
     return goes_on
 
 
@@ -165,7 +165,7 @@ def _project(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
     for what, text in told.items():
         run.set(f"PROJECT_{what}", text)
         run.set(f"{args[0]}_{what}", text)
-    if len(run.state.scopes) == 1:
+    if run.state.depth == 1:
         run.set("CMAKE_PROJECT_NAME", args[0])
     del place
     return True

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Final, Literal
 
 import msgspec
@@ -40,7 +40,7 @@ class Path(msgspec.Struct, frozen=True):
 class Snapshot:
     """Variables at the end of a path, and whether builds without settings take it."""
 
-    scopes: list[Scope]
+    scopes: Sequence[Scope]
     by_default: bool | None
 
 
@@ -52,47 +52,82 @@ class Left:
     snapshot: Snapshot
 
 
-@dataclass
 class State:
-    """The variables that are visible, innermost scope last, and where the run stands."""
+    """The variables that are visible, innermost scope last, and where the run stands.
 
-    scopes: list[Scope] = field(default_factory=lambda: [{}])
-    path: Path = field(default_factory=Path)
-    left: list[Left] = field(default_factory=list)
+    Snapshots have the scopes themselves: one that a snapshot has is copied before anything is set in it.
+
+    Args:
+        begun: the variables of the outermost scope.
+
+    Attributes:
+        path: how the command at hand is reached.
+        left: the paths that left the body at hand.
+    """
+
+    def __init__(self, begun: Scope) -> None:
+        self.path = Path()
+        self.left: list[Left] = []
+        self._scopes = [begun]
+        self._lent = [False]
 
     @property
-    def variables(self) -> Scope:
+    def variables(self) -> Mapping[str, Value]:
         """Those of the innermost scope; a scope starts as a copy of the one outside."""
-        return self.scopes[-1]
+        return self._scopes[-1]
+
+    @property
+    def depth(self) -> int:
+        """How many scopes there are."""
+        return len(self._scopes)
 
     def snapshot(self) -> Snapshot:
         """Return the variables as they are now."""
-        return Snapshot([dict(scope) for scope in self.scopes], self.path.by_default)
+        self._lent = [True] * len(self._scopes)
+        return Snapshot(tuple(self._scopes), self.path.by_default)
 
-    def restore(self, snapshot: Snapshot) -> None:
-        """Go back to a snapshot; it may be restored again."""
-        self.scopes = [dict(scope) for scope in snapshot.scopes]
+    def restore(self, scopes: Sequence[Scope]) -> None:
+        """Go back to the scopes of a snapshot, or on with those of several that met."""
+        self._scopes, self._lent = list(scopes), [True] * len(scopes)
+
+    def enter(self, bound: Mapping[str, Value]) -> None:
+        """Begin a scope, with variables of its own."""
+        self._scopes.append({**self.variables, **bound})
+        self._lent.append(False)
+
+    def end(self) -> Mapping[str, Value]:
+        """End the innermost scope, and return what it had."""
+        self._lent.pop()
+        return self._scopes.pop()
+
+    def own(self, level: int = -1) -> Scope:
+        """Return a scope that nobody else has, to be changed; the innermost one by default."""
+        if self._lent[level]:
+            self._scopes[level], self._lent[level] = dict(self._scopes[level]), False
+        return self._scopes[level]
 
     def assign(self, name: str, value: Value, where: Where = "here") -> None:
         """Set a variable in the scopes that see it."""
         if where == "cache":
             value = msgspec.structs.replace(value, cached=True)
             self._keep(cached_name(name), value)
-        for scope in self._seen_in(name, where):
+        for level in self._seen_in(name, where):
+            scope = self._scopes[level]
             if name in scope or len(scope) < MAX_VARIABLES:
-                scope[name] = value
+                self.own(level)[name] = value
 
     def _keep(self, name: str, value: Value) -> None:
-        for scope in self.scopes:
-            scope[name] = value
+        for level in range(self.depth):
+            self.own(level)[name] = value
 
-    def _seen_in(self, name: str, where: Where) -> list[Scope]:
-        if where == "outside" and len(self.scopes) > 1:
-            return [self.scopes[-2]]
-        outer = self.scopes[:-1]
-        if where == "cache":
-            outer = [scope for scope in outer if name not in scope or scope[name].cached]
-        return [*outer, self.scopes[-1]] if where in {"cache", "everywhere"} else [self.scopes[-1]]
+    def _seen_in(self, name: str, where: Where) -> Sequence[int]:
+        innermost = self.depth - 1
+        if where == "outside" and innermost:
+            return [innermost - 1]
+        if where not in {"cache", "everywhere"}:
+            return [innermost]
+        outer = [level for level, scope in enumerate(self._scopes[:-1]) if where != "cache" or _is_open(name, scope)]
+        return [*outer, innermost]
 
     def leave(self, how: Leave) -> None:
         """Keep what holds here for the place where this path goes on."""
@@ -104,7 +139,12 @@ class State:
         self.path = Path(conditions, both(self.path.by_default, by_default), self.path.is_test or is_test)
 
 
-def meet(snapshots: list[Snapshot], outside: Callable[[str], bool]) -> list[Scope]:
+def _is_open(name: str, scope: Scope) -> bool:
+    """Whether an entry of the cache is seen in a scope, since no variable hides it there."""
+    return name not in scope or scope[name].cached
+
+
+def meet(snapshots: Sequence[Snapshot], outside: Callable[[str], bool]) -> Sequence[Scope]:
     """Return what holds where paths meet; that of a build without settings comes first.
 
     Args:
@@ -119,8 +159,10 @@ def meet(snapshots: list[Snapshot], outside: Callable[[str], bool]) -> list[Scop
     return [_meet([each.scopes[level] for each in ordered], has_default, outside) for level in range(depth)]
 
 
-def _meet(scopes: list[Scope], has_default: bool, outside: Callable[[str], bool]) -> Scope:
+def _meet(scopes: Sequence[Scope], has_default: bool, outside: Callable[[str], bool]) -> Scope:
     first, *others = scopes
+    if all(scope is first for scope in others):
+        return first
     met = dict(first)
     for name in dict.fromkeys(name for scope in scopes for name in scope):
         kept = first.get(name)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Final
 
@@ -13,6 +14,8 @@ from ecm_extract.cmake.values import MAX_TEXT, unknown
 
 MAX_NESTING: Final = 8
 _ESCAPES: Final = {"n": "\n", "t": "\t", "r": "\r"}
+_PLAIN: Final = re.compile(r"[^$\\}]{1,1000}")
+"""Text without references and escapes, a piece of it: how much is read is bounded."""
 _STARTS: Final = (("${", ""), ("$ENV{", "ENV:"), ("$CACHE{", "CACHE:"))
 
 
@@ -47,8 +50,9 @@ class _Reader:
             name = self.read(depth + 1)
             self._at += 1
             return self._value(start[1] + name)
-        self._at += 1
-        return text[at]
+        plain = _PLAIN.match(text, at)
+        self._at = plain.end() if plain is not None else at + 1
+        return text[at : self._at]
 
     def _value(self, name: str) -> str:
         if name.startswith(("ENV:", "CACHE:")):
