@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Set
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import Effects
@@ -23,6 +23,9 @@ class _Content(NamedTuple):
     keys: frozenset[str]
     elsewhere: Mapping[str, frozenset[Held]]
     open: frozenset[Held]
+
+
+_NOTHING: Final = _Content(frozenset(), {}, frozenset())
 
 
 class Consisting:
@@ -120,10 +123,10 @@ class Consisting:
 
 
 def _merged(contents: Iterable[_Content]) -> _Content:
-    """What several things are made of."""
-    found = list(contents)
-    if len(found) == 1:
-        return found[0]
+    """What several things are made of, most of which are made of nothing."""
+    found = [each for each in contents if each != _NOTHING]
+    if len(found) <= 1:
+        return found[0] if found else _NOTHING
     elsewhere: dict[str, frozenset[Held]] = {}
     for key, there in _all_elsewhere(found):
         elsewhere[key] = elsewhere[key] | there if key in elsewhere else there

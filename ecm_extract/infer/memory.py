@@ -9,7 +9,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, statements
 
 from ecm_extract.infer.held import Held, How, State
-from ecm_extract.infer.places import ALL_FIELDS, wholes
+from ecm_extract.infer.places import ALL_FIELDS, lies_in, wholes
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.sharing import Sharing
 
@@ -74,11 +74,8 @@ class Memory:
     def lost(self, state: State, keys: Iterable[str]) -> State:
         """The state in which nobody knows what some variables hold; what they were made as is kept."""
         lost = {key: (Held("lost", key, before=state.holds.get(key, ())),) for key in keys if key}
-        for key in tuple(lost):
-            for part in state.holds:
-                if part.startswith(f"{key}."):
-                    lost[part] = (Held("lost", part),)
-        return state.having(lost)
+        parts = [part for part in state.holds if lies_in(part, lost)]
+        return state.having(lost | {part: (Held("lost", part),) for part in parts})
 
     def parts_lost(self, key: str, state: State) -> State:
         """Return the state in which nobody knows the fields of a variable."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Set
+from collections.abc import Callable, Container, Iterator, Set
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Function, Statement
@@ -96,6 +96,16 @@ def wholes(key: str) -> list[str]:
     """Return the objects that a field lies in, by key; the object at hand has none."""
     parts = key.split(".")
     return [".".join(parts[:count]) for count in range(1, len(parts)) if parts[0]]
+
+
+def lies_in(key: str, wholes: Container[str]) -> bool:
+    """Whether a field lies in one of some objects, by key."""
+    end = key.rfind(".")
+    while end > 0:
+        if key[:end] in wholes:
+            return True
+        end = key.rfind(".", 0, end)
+    return False
 
 
 def as_written(key: str) -> Expr:
