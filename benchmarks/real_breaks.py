@@ -117,7 +117,7 @@ def _run(repo: Path, release: Release, consumer: str) -> bytes:
     refs = [release.before, release.after, "--repo", str(repo), "--consumer", consumer]
     line = [command(), "diff", *refs, "--format", "json", "--fail-on", "never"]
     done = subprocess.run(line, capture_output=True, check=False)
-    if done.returncode not in _ANSWERS:
+    if done.returncode not in _ANSWERS or not done.stdout:
         sys.exit(f"{' '.join(refs)} ended with status {done.returncode}:\n{done.stderr.decode()[-2000:]}")
     return done.stdout
 
