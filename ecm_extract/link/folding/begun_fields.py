@@ -1,10 +1,11 @@
-"""Fields of a variable of C++ that is declared without a value: what their class begins them with, till they change."""
+"""Fields of objects of C++ that are declared without a value, or in braces: what they begin with, till they change."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Member, Name
+from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name
 
 from ecm_extract.link.folding.constructions import makers_of
 from ecm_extract.link.running.env import Env
@@ -16,11 +17,31 @@ if TYPE_CHECKING:
 
 def begun_field(expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:
     """Return what a field of `Config config;` is there; empty of other objects, and of what nothing begins."""
-    if not isinstance(expr.base, Name) or env.func.file.language != "cpp":
+    if env.func.file.language != "cpp":
         return ()
-    helds = {held for way in folder.flow.ways(expr.base, env) for held in way}
-    cls = folder.objects.class_of(expr.base, env) if helds and all(held.how == "made" for held in helds) else None
-    field = cls.fields.get(expr.name) if cls is not None and not cls.fact.bases and not makers_of(cls) else None
-    if field is None or field.default is None:
+    key = folder.flow.effects(env.func).key(expr.base)
+    begun = _of_new(key[1:], env, folder) if key.startswith(".") else _of_local(expr.base, env, folder)
+    cls = folder.objects.class_of(expr.base, env) if begun is not None else None
+    if begun is None or cls is None or expr.name not in cls.fields or cls.fact.bases or makers_of(cls):
         return ()
-    return demoted(folder.fold(field.default, Env(env.func, depth=env.depth + 1, this=cls)))
+    given = dict(zip((field.name for field in cls.fact.fields), begun, strict=False))
+    default = given.get(expr.name) or cls.fields[expr.name].default
+    return demoted(folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls))) if default is not None else ()
+
+
+def _of_local(base: Expr, env: Env, folder: Folder) -> Sequence[Expr] | None:
+    """What a variable is declared with in braces, nothing here; None where it is not as it was declared."""
+    helds = {held for way in folder.flow.ways(base, env) for held in way} if isinstance(base, Name) else set()
+    return () if helds and all(held.how == "made" for held in helds) else None
+
+
+def _of_new(name: str, env: Env, folder: Folder) -> Sequence[Expr] | None:
+    """What a member is declared with in braces; None where a method does not find it as it was declared."""
+    cls = env.this or env.func.cls
+    if cls is None or not folder.names.is_fresh(env) or not folder.first_methods.finds_new(env.func, name):
+        return None
+    helds = {held for way in folder.flow.ways(Member(THIS, name), env) for held in way}
+    field = next((each.fields[name] for each in folder.program.ancestry(cls) if name in each.fields), None)
+    if field is None or any(held.how != "given" for held in helds):
+        return None
+    return () if field.default is None else field.default.items if isinstance(field.default, Items) else None

@@ -60,6 +60,7 @@ from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.faults import Faults
+from ecm_extract.link.running.first_methods import FirstMethods
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
 from ecm_extract.link.running.kept_references import KeptReferences
@@ -166,6 +167,7 @@ class Folder:
         self.makers = ObjectMakers(self)
         self.changed_outside = ChangedOutside(self)
         self.given_fields = GivenFields(self)
+        self.first_methods = FirstMethods(self)
         self.object_fields = ObjectFields(self)
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)

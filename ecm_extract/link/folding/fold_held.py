@@ -156,9 +156,9 @@ class HeldFolder:
         return (self.folder.names.imported(key, entry) if is_python else ()) or (unknown(name),)
 
     def at_first(self, name: str, env: Env) -> tuple[Value, ...]:
-        """Return what a member holds when a constructor starts: what its bases made of it, or its default."""
+        """Return what a member holds of a new object (`FirstMethods`): what its bases made of it, or its default."""
         cls = env.func.cls
-        if cls is None or not env.func.is_constructor:
+        if cls is None or not self.folder.first_methods.finds_new(env.func, name):
             return ()
         for base in self.folder.program.bases(cls):
             if self._is_of(name, base):

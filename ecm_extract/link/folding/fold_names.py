@@ -70,7 +70,9 @@ class NameFolder:
         """Tell whether a place is one on which no function of the tree was called before, in every state of it."""
         if env.state is not None:
             return not env.state.called
-        states = self.folder.flow.states(env) if env.func.is_constructor and env.func.file.language == "cpp" else []
+        made = env.func.is_constructor and env.func.file.language == "cpp"
+        begins = made or self.folder.first_methods.is_first(env.func)
+        states = self.folder.flow.states(env) if begins else []
         return bool(states) and not any(state.called for state in states)
 
     def around(self, name: str, env: Env) -> tuple[Value, ...]:

@@ -6,11 +6,12 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from ecm_checker.hub.roles import Role, roles
-from ecm_parsers.source.expr import THIS, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.interfaces.sent_as import wrapped
 from ecm_extract.link.interfaces.type_found import ACTION, UNKNOWN_TYPE, TypeFound
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 
@@ -35,6 +36,13 @@ class PythonTypes:
         if env.depth > MAX_DEPTH:
             return UNKNOWN_TYPE
         return self._variable(expr, env, role) if isinstance(expr, Name) else self._attribute(expr, env, role)
+
+    def wrapped(self, expr: Expr, env: Env) -> Expr | None:
+        """Return the class of which a call makes another one of the same message: `numpy_msg(Image)`."""
+        if env.func.file.language != "python" or not isinstance(expr, Call):
+            return None
+        at = wrapped(self.types.program.outside(dotted_name(expr.callee), env.func.file))
+        return expr.args[at] if at is not None and at < len(expr.args) else None
 
     def _imported(self, dotted: str, path: str, env: Env, role: Role) -> TypeFound:
         """What is below a `msg`, `srv` or `action`; what a module has is what it is called outside."""

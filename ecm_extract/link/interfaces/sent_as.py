@@ -1,4 +1,4 @@
-"""Types of C++ that no interface file declares, and the messages that they are sent as."""
+"""Types that no interface file declares, and the messages that they are sent as."""
 
 from __future__ import annotations
 
@@ -17,6 +17,12 @@ class SentAs(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     ros: int
     message: str = ""
     argument: int = 0
+
+
+def wrapped(path: str) -> int | None:
+    """Return which argument names the message of a class that a call of Python makes; None of other calls."""
+    row = _rows().get(path)
+    return row.argument if row is not None and not row.message else None
 
 
 @cache

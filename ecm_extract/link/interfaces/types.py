@@ -13,6 +13,7 @@ from ecm_extract.link.code.calls import Invocation, placed_arguments, unseen_arg
 from ecm_extract.link.code.spelling import plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.interfaces.adapters import Adapters
 from ecm_extract.link.interfaces.python_types import PythonTypes
 from ecm_extract.link.interfaces.sent_as import sent_as
 from ecm_extract.link.interfaces.type_found import ACTION, UNKNOWN_TYPE, TypeFound
@@ -37,6 +38,7 @@ class Types:
         self.folder = folder
         self.program = folder.program
         self.python = PythonTypes(self)
+        self.adapters = Adapters(self.program)
 
     def at(self, positions: str, call: Invocation, env: Env, role: Role) -> TypeFound:
         """Return the type that the first fitting position of a form's row gives."""
@@ -79,6 +81,9 @@ class Types:
             return TypeFound(self.full(expr.value.replace("/", "::"), role))
         if env.func.file.language == "python" and isinstance(expr, Name | Member):
             return self.python.of(expr, env, role)
+        wrapped = self.python.wrapped(expr, env)
+        if wrapped is not None:
+            return self.expression(wrapped, env, role)
         bound = env.args.get(expr.id) if isinstance(expr, Name) else None
         if isinstance(expr, Op) and expr.op == "[]":
             bound = self.folder.tables.element(expr, env)
@@ -111,10 +116,14 @@ class Types:
         )
         if alias is not None and _bare(alias) != bare:
             return self.written(alias, env, role, depth + 1)
-        sent = sent_as(bare, text, env.func.file.ros)
+        sent = sent_as(bare, text, env.func.file.ros) or self._adapted(bare, env)
         if sent:
             return TypeFound(sent) if "/" in sent else self.written(sent, env, role, depth + 1)
         return self._qualified(text, env, role, depth)
+
+    def _adapted(self, bare: str, env: Env) -> str:
+        """The message of a type of the tree that ROS 2 is told how to send."""
+        return self.adapters.message(bare, env.func.file, self._scope(env)) if env.func.file.ros != 1 else ""
 
     def _qualified(self, text: str, env: Env, role: Role, depth: int) -> TypeFound:
         """A type that is no alias as a whole, and whose first part may be one."""

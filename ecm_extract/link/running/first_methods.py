@@ -1,0 +1,60 @@
+"""Methods that begin with a new object: a framework calls them first, and once, so what others change later is not yet.
+
+Sources: see `hosts.toml`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Set
+from functools import cache
+from typing import TYPE_CHECKING
+
+from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.shipped import shipped
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+@cache
+def _first() -> Mapping[str, Set[str]]:
+    return {name: frozenset(methods) for name, methods in shipped("link/running/hosts.toml")["first"].items()}
+
+
+class FirstMethods:
+    """Tells which methods of C++ find an object as it was made; each is asked about once."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._known: dict[Func, bool] = {}
+
+    def is_first(self, func: Func) -> bool:
+        """Tell whether a method runs before any other of its object but constructors: nobody in the tree calls it."""
+        known = self._known.get(func)
+        if known is None:
+            known = self._known[func] = func.file.language == "cpp" and self._is_called_first(func)
+        return known
+
+    def finds_new(self, func: Func, name: str) -> bool:
+        """Tell whether a function begins with a member as it is declared, which no constructor gives anything else."""
+        return func.is_constructor or (self.is_first(func) and self._is_left(func, name))
+
+    def _is_left(self, func: Func, name: str) -> bool:
+        program = self.folder.program
+        lineage = (*program.ancestry(func.cls), *program.derived(func.cls)) if func.cls is not None else ()
+        changing = (method for entry in lineage for method in self.folder.scope.changing(name, entry))
+        return not any(method.is_constructor for method in changing)
+
+    def _is_called_first(self, func: Func) -> bool:
+        if func.cls is None or not any(func.fact.name in _first().get(each, ()) for each in self._hosts(func.cls)):
+            return False
+        return next(self.folder.states.callers.all(func), None) is None
+
+    def _hosts(self, cls: Cls) -> Set[str]:
+        """The names of the bases outside of the tree."""
+        program = self.folder.program
+        bases = ((plain(base), entry) for entry in program.ancestry(cls) for base in entry.fact.bases)
+        return {
+            last_name(base) for base, entry in bases if program.class_named(base, entry.file, entry.fact.scope) is None
+        }
