@@ -69,3 +69,21 @@ def test_who_makes_an_object_may_give_an_empty_default_a_name(workspace: Any) ->
     assert [(one.raw_name, one.confidence) for one in open_ if one.role == "publisher"] == [("{topic}", "pattern")]
     made = workspace.package({"src/n.cpp": MADE_ELSEWHERE % "rclcpp::spin(std::make_shared<Tool>());"}).interfaces()
     assert [one.raw_name for one in made if one.role == "publisher"] == []
+
+
+def test_an_empty_default_makes_no_name_of_a_slash(workspace: Any) -> None:
+    """`"/" + sensor`, where the parameter is empty unless somebody sets it: ROS has no such name."""
+    text = """
+#include <rclcpp/rclcpp.hpp>
+class N : public rclcpp::Node {
+public:
+  N() : Node("n") {
+    std::string sensor = declare_parameter("sensor", "");
+    create_publisher<std_msgs::msg::String>("/" + sensor, 10);
+    create_publisher<std_msgs::msg::String>(sensor + "/state", 10);
+  }
+};
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<N>()); }
+"""
+    found = workspace.package({"src/n.cpp": text}).interfaces()
+    assert sorted(one.name for one in found if one.role == "publisher") == ["/state", "/{sensor}"]

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ecm_extract.link.naming.handles import Handle, under
 from ecm_extract.link.running.own_names import with_node
-from ecm_extract.link.running.values import Hole, Value, settled, without_defaults
+from ecm_extract.link.running.values import Hole, OfParameter, Value, settled, without_defaults
 
 
 class RosName(NamedTuple):
@@ -68,8 +68,13 @@ def is_never_made(value: Value, name: RosName, ros: int | None) -> bool:
 
 
 def without_empty_default(value: Value) -> Value:
-    """Leave a name open that is empty when who makes the object says nothing: only who does makes something of it."""
-    return value if settled(value).text else without_defaults(value)
+    """Leave a name open that is empty unless somebody says what stands in it: only then something is made of it."""
+    if settled(value).text.strip("/"):
+        return value
+    if not any(isinstance(part, OfParameter) for part in value.template):
+        return without_defaults(value)
+    parts = [Hole(part.parameter) if isinstance(part, OfParameter) else part for part in value.template]
+    return value._replace(parts=tuple(parts), confidence="pattern")
 
 
 def _after(value: Value, kind: str) -> str | None:
