@@ -51,3 +51,30 @@ def test_a_macro_for_integers_is_its_number(workspace: Any) -> None:
     change = 'declare_parameter<int64_t>("size", INT64_C(512));'
     found = workspace.package({"src/n.cpp": SOURCE.format(settings=PLAIN, change=change)}).interfaces()
     assert [one.default for one in found if one.name == "size"] == [512]
+
+
+BASE_FIRST = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+class Base : public rclcpp::Node {{
+public:
+  Base() : Node("n") {{ {change} }}
+protected:
+  struct {{ std::string name = "vehicle"; }} param;
+}};
+class Derived : public Base {{
+public:
+  Derived() : Base() {{ create_publisher<std_msgs::msg::String>(param.name + "/state", 1); }}
+}};
+int main(int argc, char ** argv) {{ rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Derived>()); }}
+"""
+
+
+def test_the_constructor_of_a_base_comes_first(workspace: Any) -> None:
+    """A field of a base was told as its class begins it, as proved, though that constructor had changed it."""
+    change = 'declare_parameter("name", ""); param.name = get_parameter("name").as_string();'
+    found = workspace.package({"src/n.cpp": BASE_FIRST.format(change=change)}).interfaces()
+    told = {(one.name, one.confidence) for one in found if one.role == "publisher"}
+    assert told.isdisjoint({("/vehicle/state", "folded"), ("/vehicle/state", "literal")})
+    left = workspace.package({"src/n.cpp": BASE_FIRST.format(change="")}).interfaces()
+    assert [one.name for one in left if one.role == "publisher"] == ["/vehicle/state"]

@@ -41,7 +41,10 @@ def _of_new(name: str, env: Env, folder: Folder) -> Sequence[Expr] | None:
     if cls is None or not folder.names.is_fresh(env) or not folder.first_methods.finds_new(env.func, name):
         return None
     helds = {held for way in folder.flow.ways(Member(THIS, name), env) for held in way}
-    field = next((each.fields[name] for each in folder.program.ancestry(cls) if name in each.fields), None)
+    owner = next((each for each in folder.program.ancestry(cls) if name in each.fields), cls)
+    field = owner.fields.get(name)
+    if env.func.is_constructor and owner is not env.func.cls:  # the constructor of the base came first
+        return None
     if field is None or any(held.how != "given" for held in helds):
         return None
     return () if field.default is None else field.default.items if isinstance(field.default, Items) else None
