@@ -204,8 +204,7 @@ class Effects:
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
         changing = isinstance(callee, Member) and last in self.calls.changing
-        library = last in self.calls.reading and not (isinstance(callee, Name) and callee.id == last)
-        if not (passed or named) or library or changing:
+        if not (passed or named) or changing:
             return
         target = self.targets.target(call, self.func, at)
         if target is None and last in self.calls.reading:

@@ -214,21 +214,35 @@ def _joined(one: State, other: State) -> State:
     holds: dict[str, tuple[Held, ...]] = {}
     for name in one.holds.apart(other.holds):
         left, right = one.holds.get(name) or (_given(name, one),), other.holds.get(name) or (_given(name, other),)
-        before = _before_tests(left)
-        if left is right or before == _before_tests(right):
-            holds[name] = left if left is right else before
+        same = left if left is right else _before_tests(left, right)
+        if same is not None:
+            holds[name] = same
             continue
         key = (left, right)  # what two names share before, they share after
         if key not in met:
             parts = (Part(one.route, left), Part(other.route, right))
-            same = one.route is other.route
-            met[key] = either(name, left, right) if same else (Held("met", name, parts=parts, since=since),)
+            alike = one.route is other.route
+            met[key] = either(name, left, right) if alike else (Held("met", name, parts=parts, since=since),)
         holds[name] = met[key]
     return State(one.holds.having(holds), path, route, called)
 
 
-def _before_tests(ways: tuple[Held, ...]) -> tuple[Held, ...]:
-    """What a variable may hold if no test was made: what one lets pass on its two sides is all of that."""
+def _before_tests(left: tuple[Held, ...], right: tuple[Held, ...]) -> tuple[Held, ...] | None:
+    """What a variable held before tests let something of it pass on both ways; None where it was given anything since.
+
+    What a test lets pass on its two sides is all of what was there.
+    """
+    known = [right]
+    while known[-1] != (before := _untested(known[-1])):
+        known.append(before)
+    while left not in known:
+        left, tested = _untested(left), left
+        if left == tested:
+            return None
+    return left
+
+
+def _untested(ways: tuple[Held, ...]) -> tuple[Held, ...]:
     return tuple([held.whole or held for held in ways])
 
 

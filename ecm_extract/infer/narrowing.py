@@ -26,7 +26,7 @@ class Narrowing:
 
     Attributes:
         ways: what the variable may hold before.
-        gates: what is asked of each of these, and of those that met.
+        gates: what is asked of each thing that met to make these.
         route: how the test is reached.
     """
 
@@ -61,8 +61,9 @@ def narrowings(frame: Frame, test: Expr, state: State) -> Mapping[str, Narrowing
         ways = state.holds.get(name) or ()
         asked = _each(ways)
         if 1 < len(asked) <= MAX_ASKED:
-            alone = {held: Gate(test, frame.place(state.having({name: (held,)}))) for held in asked}
-            found[name] = Narrowing(ways, alone, state.route)
+            alone = [held for held in asked if held.how != "met"]
+            gates = {held: Gate(test, frame.place(state.having({name: (held,)}))) for held in alone}
+            found[name] = Narrowing(ways, gates, state.route)
     return found
 
 

@@ -8,6 +8,7 @@ import pytest
 
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
+from ecm_extract.link.folding import steps
 from ecm_extract.link.running.values import MAX_LENGTH, TOO_LONG, joined, literal
 from ecm_extract.tree import open_tree
 
@@ -202,3 +203,32 @@ def test_a_function_that_works_on_data_costs_the_others_nothing(workspace: Any) 
     [told] = [entry for entry in found.diagnostics if entry.code == "function-left-out"]
     assert (told.line, told.message.split(",")[0]) == (5, "work takes too many steps to be followed to its end: values")
     assert [entry.reason for entry in found.unread] == ["unjudged"]
+
+
+def test_a_run_that_has_no_steps_left_is_a_gap(workspace: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing behind the bound of all is computed: which endpoints are missing nobody knows."""
+    monkeypatch.setattr(steps, "LEAST_RUN", 20)
+    monkeypatch.setattr(steps, "MAX_PER_STATEMENT", 0)
+    found = _driver(workspace, _PLACES["name"] * 40)
+    assert [entry.reason for entry in found.unread] == ["unjudged"]
+    assert [entry.code for entry in found.diagnostics if "all steps" in entry.message] == ["function-left-out"]
+
+
+def test_tests_behind_tests_that_nothing_passes_end(workspace: Any) -> None:
+    """What a variable holds where no run comes has no way left of it: asking for that went on until the stack ended."""
+    body = """
+        if f() == 1:
+            x = "b"
+        if x == "c":
+            if f() == 2:
+                if x == "d":
+                    return
+            self.create_publisher(String, x + "/never", 1)
+        self.create_publisher(String, x + "/live", 1)
+"""
+    found = _driver(workspace, body)
+    names = {
+        entry.name for package in found.packages for each in package.modules for entry in each.signature.interfaces
+    }
+    assert found.diagnostics == ()
+    assert {"/a/live", "/b/live"} <= names

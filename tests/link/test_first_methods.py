@@ -7,7 +7,7 @@ from typing import Any
 _CONTROLLER = """
 #include <controller_interface/controller_interface.hpp>
 namespace pkg {{
-struct Wheels {{ double separation; double radius; }};
+{struct}
 class Drive : public controller_interface::ControllerInterface {{
  public:
   Drive() : Drive::ControllerInterface() {{ {made} }}
@@ -42,9 +42,14 @@ PLUGINLIB_EXPORT_CLASS(pkg::Drive, controller_interface::ControllerInterface)
 """
 
 
-def _defaults(workspace: Any, made: str = "", more: str = "") -> dict[str, Any]:
+_WHEELS = "struct Wheels { double separation; double radius; };"
+
+
+def _defaults(workspace: Any, made: str = "", more: str = "", struct: str = _WHEELS) -> dict[str, Any]:
     cmake = "add_library(drive SHARED src/drive.cpp)\n"
-    workspace.package({"src/drive.cpp": _CONTROLLER.format(made=made, more=more), "CMakeLists.txt": cmake})
+    workspace.package(
+        {"src/drive.cpp": _CONTROLLER.format(made=made, more=more, struct=struct), "CMakeLists.txt": cmake}
+    )
     return {
         each.name: each.default
         for module in workspace.modules().values()
@@ -73,6 +78,23 @@ def test_what_a_constructor_gives_is_no_default_of_the_class(workspace: Any) -> 
     assert found["rate"] in {20.0, None}
     assert found["frame"] in {"map", None}
     assert found["radius"] in {2.0, None}
+
+
+def test_what_a_constructor_calls_runs_before_as_well(workspace: Any) -> None:
+    """A method that it calls, and who gets the address of a member, may give that something."""
+    reset = '  void reset() { stamped_ = false; odometry_.frame = "map"; }'
+    found = _defaults(workspace, made="reset(); fill(&rate_);", more=reset)
+    assert found["stamped"] is not True
+    assert found["frame"] != "odom"
+    assert found["rate"] is None
+
+
+def test_braces_fill_what_is_of_the_object(workspace: Any) -> None:
+    """A `static` field of the class takes none of the values."""
+    found = _defaults(
+        workspace, struct="struct Wheels { static constexpr int COUNT = 4; double separation; double radius; };"
+    )
+    assert found["radius"] == 0.05
 
 
 def test_who_calls_it_again_finds_what_is_there_then(workspace: Any) -> None:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name
 
-from ecm_extract.link.folding.constructions import makers_of
-from ecm_extract.link.running.env import Env
+from ecm_extract.link.folding.constructions import filled, makers_of, named_parts
+from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import Value, demoted
 
 if TYPE_CHECKING:
@@ -24,13 +24,15 @@ def begun_field(expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:
     cls = folder.objects.class_of(expr.base, env) if begun is not None else None
     if begun is None or cls is None or expr.name not in cls.fields or cls.fact.bases or makers_of(cls):
         return ()
-    given = dict(zip((field.name for field in cls.fact.fields), begun, strict=False))
-    default = given.get(expr.name) or cls.fields[expr.name].default
-    return demoted(folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls))) if default is not None else ()
+    place = Env(env.func, depth=env.depth + 1, this=cls)
+    parts = [Bound(each, place) for each in begun]
+    given = dict(named_parts(parts)) or dict(zip(filled(cls), parts, strict=False))
+    default = given[expr.name].expr if expr.name in given else cls.fields[expr.name].default
+    return demoted(folder.fold(default, place)) if default is not None else ()
 
 
 def _of_local(base: Expr, env: Env, folder: Folder) -> Sequence[Expr] | None:
-    """What a variable is declared with in braces, nothing here; None where it is not as it was declared."""
+    """Nothing, of a variable that is as it was declared without braces; None of others."""
     helds = {held for way in folder.flow.ways(base, env) for held in way} if isinstance(base, Name) else set()
     return () if helds and all(held.how == "made" for held in helds) else None
 

@@ -36,6 +36,11 @@ def named_parts(parts: Sequence[Bound]) -> Iterator[tuple[str, Bound]]:
             yield part.expr.operands[0].id, Bound(part.expr.operands[1], part.env)
 
 
+def filled(cls: Cls) -> list[str]:
+    """Return the fields of a class in the order in which braces fill them; those of the class itself are none."""
+    return [field.name for field in cls.fact.fields if "static" not in field.traits]
+
+
 def makers_of(cls: Cls) -> list[Func]:
     """Return the constructors of a class that can be called."""
     return [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]

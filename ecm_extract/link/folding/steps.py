@@ -9,6 +9,7 @@ from typing import Final
 
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.faults import CODE
 from ecm_extract.tree import FileDiagnostic, Unread, printable
 
 MAX_QUESTION: Final = 1_500
@@ -24,8 +25,7 @@ MAX_PER_STATEMENT: Final = 40
 """Evaluations that a run has for each statement of its sources."""
 MAX_TOLD: Final = 20
 """Places that are told one by one."""
-_CODE: Final = "values-left-out"
-_FUNCTION_CODE: Final = "function-left-out"
+_VALUES: Final = "values-left-out"
 _HINT: Final = "split the function, or give the name as one literal"
 
 
@@ -47,6 +47,7 @@ class Steps:
         self._taken: Counter[Func] = Counter()
         self._cut: dict[tuple[str, int], None] = {}
         self._spent_by: dict[Func, None] = {}
+        self._ended: Func | None = None
 
     def take(self, env: Env) -> bool:
         """Tell whether one more evaluation may be made; a refusal is remembered with the place of its question."""
@@ -54,6 +55,8 @@ class Steps:
             self._spent, self._asked = 0, env
         self._spent += 1
         self._left -= 1
+        if self._left < 0 and self._ended is None:
+            self._ended = env.func
         if not self._may_run_on():
             return False
         if self._spent <= MAX_QUESTION and self._left >= 0:
@@ -112,12 +115,13 @@ class Steps:
     def left_out(self) -> tuple[FileDiagnostic, ...]:
         """Return what is to be told of functions that were not run to the end, and of places without a value."""
         told = [_told_of(func) for func in self._spent_by]
+        told += [_told_end(self._ended)] if self._ended is not None else []
         told += [_told(path, line) for path, line in list(self._cut)[:MAX_TOLD]]
         rest = len(self._cut) - MAX_TOLD
         if rest > 0:
             path, line = list(self._cut)[MAX_TOLD]
             text = f"From here on {rest} more places have values that take too many steps to compute; {_HINT}."
-            told.append(FileDiagnostic("warning", _CODE, path, line, text))
+            told.append(FileDiagnostic("warning", _VALUES, path, line, text))
         return tuple(told)
 
 
@@ -128,12 +132,22 @@ def _told_of(func: Func) -> FileDiagnostic:
         f"{printable(func.fact.name)} takes too many steps to be followed to its end: values, and what it declares "
         "with them, may be missing; split it, or keep what is declared out of its loops."
     )
-    return FileDiagnostic("warning", _FUNCTION_CODE, path, func.fact.line, text, Unread(path, "unjudged"))
+    return FileDiagnostic("warning", CODE, path, func.fact.line, text, Unread(path, "unjudged"))
+
+
+def _told_end(func: Func) -> FileDiagnostic:
+    """What is asked behind the bound of a run is not computed, so any endpoint may be missing."""
+    path = printable(func.file.path)
+    text = (
+        f"Here, in {printable(func.fact.name)}, this run had taken all steps that it has: values behind it, and what "
+        "is declared with them, may be missing; read the packages one by one."
+    )
+    return FileDiagnostic("warning", CODE, path, func.fact.line, text, Unread(path, "unjudged"))
 
 
 def _told(path: str, line: int) -> FileDiagnostic:
     text = f"A value here takes too many steps to compute, so it is unknown; {_HINT}."
-    return FileDiagnostic("warning", _CODE, path, line, text)
+    return FileDiagnostic("warning", _VALUES, path, line, text)
 
 
 def _place(env: Env) -> tuple[str, int]:

@@ -14,7 +14,7 @@ from ecm_extract.link.code.overloads import NO, score
 from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
-from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, makers_of, named_parts
+from ecm_extract.link.folding.constructions import construction_of, filled, given_of, left_empty, makers_of, named_parts
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
@@ -211,7 +211,7 @@ class StructureFolder:
     def _place(self, expr: Member, env: Env) -> int | None:
         """Return the place of a field among the values that its object is made from; an entry of a map is a pair."""
         cls = self._class_at(expr.base, env)
-        names = [field.name for field in cls.fact.fields] if cls is not None else []
+        names = filled(cls) if cls is not None else []
         if expr.name in names:
             return names.index(expr.name)
         return _PAIR.index(expr.name) if env.func.file.language == "cpp" and expr.name in _PAIR else None

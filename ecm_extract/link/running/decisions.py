@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
-from ecm_extract.infer.held import Held, Part, State, Turn, either
+from ecm_extract.infer.held import Held, Part, State, Turn, all_ways, either
 from ecm_extract.infer.kinds import any_fits
 from ecm_extract.infer.routes import OPEN, START, Fitting, Fork, Gate, Route, Verdict
 from ecm_extract.link.code.units import Func
@@ -119,7 +119,7 @@ class Decisions:
         if cuts == self.folder.cuts:
             for held, ways in found.items():
                 held.settled[_TAKEN] = ways
-        return _joined(helds, found) or self.ways(tuple([held.whole or held for held in helds]))
+        return _joined(helds, found) or all_ways(helds)  # no run gets here
 
     def _find(self, first: Held, found: dict[Held, tuple[Held, ...]]) -> None:
         """Find what each of the things holds that met, and those that met to make it: there may be thousands."""

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.folding.constructions import makers_of
+from ecm_extract.link.running.env import Env
 from ecm_extract.shipped import shipped
 
 if TYPE_CHECKING:
@@ -41,10 +43,16 @@ class FirstMethods:
         return func.is_constructor or (self.is_first(func) and self._is_left(func, name))
 
     def _is_left(self, func: Func, name: str) -> bool:
-        program = self.folder.program
+        """Whether the constructors that run before leave a member and its fields alone, and call no function."""
+        program, flow = self.folder.program, self.folder.flow
         lineage = (*program.ancestry(func.cls), *program.derived(func.cls)) if func.cls is not None else ()
-        changing = (method for entry in lineage for method in self.folder.scope.changing(name, entry))
-        return not any(method.is_constructor for method in changing)
+        makers = (Env(each, this=entry) for entry in lineage for each in makers_of(entry) if each.fact.body)
+        ends = [run.end if run is not None else None for run in map(flow.run, makers)]
+        key = f".{name}"
+        return all(
+            end is not None and not end.called and not any(f"{each}.".startswith(f"{key}.") for each in end.holds)
+            for end in ends
+        )
 
     def _is_called_first(self, func: Func) -> bool:
         if func.cls is None or not any(func.fact.name in _first().get(each, ()) for each in self._hosts(func.cls)):
