@@ -204,7 +204,8 @@ class Effects:
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
         changing = isinstance(callee, Member) and last in self.calls.changing
-        if not (passed or named) or changing:
+        library = last in self.calls.reading and isinstance(callee, Name) and callee.id != last  # `std::move`
+        if not (passed or named) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
         if target is None and last in self.calls.reading:
