@@ -206,6 +206,16 @@ class Cls:
         """Name with its namespaces."""
         return f"{self.fact.scope}::{self.fact.name}" if self.fact.scope else self.fact.name
 
+    @property
+    def constructors(self) -> list[Func]:
+        """Those that can be called."""
+        return [func for func in self.methods if func.is_constructor and "deleted" not in func.fact.traits]
+
+    @property
+    def filled(self) -> list[str]:
+        """The fields in the order in which braces fill them; those of the class itself are none."""
+        return [field.name for field in self.fact.fields if "static" not in field.traits]
+
 
 def _has_same_form(template: Func, func: Func) -> bool:
     """Whether a function is a template with as many parameters as one that specializes it."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name
 
-from ecm_extract.link.folding.constructions import filled, makers_of, named_parts
+from ecm_extract.link.folding.constructions import named_parts
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import Value, demoted
 
@@ -22,11 +22,11 @@ def begun_field(expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:
     key = folder.flow.effects(env.func).key(expr.base)
     begun = _of_new(key[1:], env, folder) if key.startswith(".") else _of_local(expr.base, env, folder)
     cls = folder.objects.class_of(expr.base, env) if begun is not None else None
-    if begun is None or cls is None or expr.name not in cls.fields or cls.fact.bases or makers_of(cls):
+    if begun is None or cls is None or expr.name not in cls.fields or cls.fact.bases or cls.constructors:
         return ()
     place = Env(env.func, depth=env.depth + 1, this=cls)
     parts = [Bound(each, place) for each in begun]
-    given = dict(named_parts(parts)) or dict(zip(filled(cls), parts, strict=False))
+    given = dict(named_parts(parts)) or dict(zip(cls.filled, parts, strict=False))
     default = given[expr.name].expr if expr.name in given else cls.fields[expr.name].default
     return demoted(folder.fold(default, place)) if default is not None else ()
 

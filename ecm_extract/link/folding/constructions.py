@@ -12,7 +12,7 @@ from ecm_extract.link.code.calls import Invocation, Step, construction, dotted_n
 from ecm_extract.link.code.numbers import as_number, kind_of_type
 from ecm_extract.link.code.pointed import given_to_pointed
 from ecm_extract.link.code.spelling import last_name, plain
-from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.units import Cls
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import Value, constant, demoted, literal
 
@@ -34,16 +34,6 @@ def named_parts(parts: Sequence[Bound]) -> Iterator[tuple[str, Bound]]:
     for part in parts:
         if isinstance(part.expr, Op) and part.expr.op == ".=" and isinstance(part.expr.operands[0], Name):
             yield part.expr.operands[0].id, Bound(part.expr.operands[1], part.env)
-
-
-def filled(cls: Cls) -> list[str]:
-    """Return the fields of a class in the order in which braces fill them; those of the class itself are none."""
-    return [field.name for field in cls.fact.fields if "static" not in field.traits]
-
-
-def makers_of(cls: Cls) -> list[Func]:
-    """Return the constructors of a class that can be called."""
-    return [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]
 
 
 def left_empty(written: str) -> tuple[Value, ...]:

@@ -15,7 +15,6 @@ from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.begun_fields import begun_field
-from ecm_extract.link.folding.constructions import makers_of
 from ecm_extract.link.folding.formats import VALUE_READS, read_as
 from ecm_extract.link.index.module_kinds import class_kind
 from ecm_extract.link.running.env import Env, Instance
@@ -234,7 +233,7 @@ class MemberFolder:
 
     def _is_left_alone(self, cls: Cls, making: Collection[Func], env: Env) -> bool:
         """Tell whether a constructor that can have made an object of C++ leaves a member as its default."""
-        makers = (each for each in makers_of(cls) if "declaration" not in each.fact.traits)
+        makers = (each for each in cls.constructors if "declaration" not in each.fact.traits)
         known = [each for each in makers if self.folder.objects.runs(each, env.made)]
         return cls.file.language == "cpp" and any(each not in making for each in known)
 

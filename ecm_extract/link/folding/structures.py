@@ -14,7 +14,7 @@ from ecm_extract.link.code.overloads import NO, score
 from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
-from ecm_extract.link.folding.constructions import construction_of, filled, given_of, left_empty, makers_of, named_parts
+from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, named_parts
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
@@ -100,7 +100,7 @@ class StructureFolder:
         if bound is None or not isinstance(call, Items | Call):
             return ()
         cls = self._class_made(call, expr.base, bound.env, env)
-        if cls is None or not makers_of(cls):
+        if cls is None or not cls.constructors:
             return ()
         return self._by_best(expr.name, cls, construction_of(cls, call, bound.env), bound.env)
 
@@ -119,7 +119,7 @@ class StructureFolder:
 
     def _fitting(self, cls: Cls, call: Invocation) -> list[Func]:
         """The constructors that take the arguments of a call best."""
-        scores = {maker: score(call, maker) for maker in makers_of(cls)}
+        scores = {maker: score(call, maker) for maker in cls.constructors}
         best = max(scores.values(), default=NO)
         return [maker for maker, points in scores.items() if points == best != NO]
 
@@ -211,7 +211,7 @@ class StructureFolder:
     def _place(self, expr: Member, env: Env) -> int | None:
         """Return the place of a field among the values that its object is made from; an entry of a map is a pair."""
         cls = self._class_at(expr.base, env)
-        names = filled(cls) if cls is not None else []
+        names = cls.filled if cls is not None else []
         if expr.name in names:
             return names.index(expr.name)
         return _PAIR.index(expr.name) if env.func.file.language == "cpp" and expr.name in _PAIR else None
@@ -334,7 +334,7 @@ class StructureFolder:
         bound, found = self._origin(expr.base, env), self.folder.scope.constant(root, env)
         if bound is not None or found is not None:
             return self.part(expr, env)
-        default = cls.fields[expr.name].default if expr.name in cls.fields and not makers_of(cls) else None
+        default = cls.fields[expr.name].default if expr.name in cls.fields and not cls.constructors else None
         return Bound(default, Env(env.func, depth=env.depth + 1, this=cls)) if default is not None else None
 
 

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.folding.constructions import makers_of
 from ecm_extract.link.running.env import Env
 from ecm_extract.shipped import shipped
 
@@ -46,7 +45,7 @@ class FirstMethods:
         """Whether the constructors that run before leave a member and its fields alone, and call no function."""
         program, flow = self.folder.program, self.folder.flow
         lineage = (*program.ancestry(func.cls), *program.derived(func.cls)) if func.cls is not None else ()
-        makers = (Env(each, this=entry) for entry in lineage for each in makers_of(entry) if each.fact.body)
+        makers = (Env(each, this=entry) for entry in lineage for each in entry.constructors if each.fact.body)
         ends = [run.end if run is not None else None for run in map(flow.run, makers)]
         key = f".{name}"
         return all(
