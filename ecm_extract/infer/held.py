@@ -213,8 +213,11 @@ def _joined(one: State, other: State) -> State:
     met: dict[tuple[tuple[Held, ...], tuple[Held, ...]], tuple[Held, ...]] = {}
     holds: dict[str, tuple[Held, ...]] = {}
     for name in one.holds.apart(other.holds):
-        left, right = one.holds.get(name) or (_given(name, one),), other.holds.get(name) or (_given(name, other),)
-        same = left if left is right else _before_tests(left, right)
+        left, right = one.holds.get(name), other.holds.get(name)
+        if left and left is right:
+            continue
+        left, right = left or (_given(name, one),), right or (_given(name, other),)
+        same = _before_tests(left, right)
         if same is not None:
             holds[name] = same
             continue

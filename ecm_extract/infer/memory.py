@@ -74,6 +74,8 @@ class Memory:
     def lost(self, state: State, keys: Iterable[str]) -> State:
         """The state in which nobody knows what some variables hold; what they were made as is kept."""
         lost = {key: (Held("lost", key, before=state.holds.get(key, ())),) for key in keys if key}
+        if not lost:
+            return state
         parts = [part for part in state.holds if lies_in(part, lost)]
         return state.having(lost | {part: (Held("lost", part),) for part in parts})
 
