@@ -49,11 +49,6 @@ def parse(data: bytes) -> Parsed[tuple[PluginClass, ...]]:
     return Parsed(tuple(classes), tuple(problems))
 
 
-def is_plugin_description(root: etree._Element) -> bool:
-    """Tell whether a root element is one of a plugin description."""
-    return local_name(root) in ("library", "class_libraries")
-
-
 def _libraries(roots: tuple[etree._Element, ...], problems: list[Diagnostic]) -> Iterator[etree._Element]:
     for root in roots:
         if local_name(root) == "library":

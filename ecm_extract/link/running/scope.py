@@ -66,13 +66,6 @@ class Scope:
             self._locals[func] = known
         return known
 
-    def is_certain(self, name: str, env: Env) -> bool:
-        """Tell whether the function has surely given a variable a value before the place."""
-        ways = self.ways(Name(name), env)
-        return bool(ways) and all(
-            held.how not in {"given", "shared", "made", "entered"} for helds in ways for held in helds
-        )
-
     def passed(self, func: Func, name: str) -> list[tuple[int, Call, int]]:
         """Return (statement, call, argument index) of the calls that a local is handed to."""
         known = self._passed.get(func)
