@@ -47,7 +47,8 @@ _WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "Ke
 }
 _PRESETS = "QoSPresetProfiles"
 _BY_KEY = "get_from_short_key"
-_BASIC = ("reliability", "durability", "history", "depth")
+_QUEUE = ("history", "depth")
+_BASIC = ("reliability", "durability", *_QUEUE)
 _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_namespace_conventions"}) | {
     "get_rmw_qos_profile",
     "value",
@@ -101,7 +102,7 @@ class QosReader:
     def _of_kind(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
         if isinstance(expr, Number):
             return {"history": "keep_last", "depth": truncated(expr.value)}
-        listed = self.folder.tables.element(expr, env) if isinstance(expr, Call | Op) else None
+        listed = self.folder.tables.element(expr, env, likely=True) if isinstance(expr, Call | Op) else None
         if listed is not None:
             return self.policies(listed.expr, listed.env.deeper(env.depth + 1), level + 1)
         if isinstance(expr, Call):
@@ -112,10 +113,12 @@ class QosReader:
         if isinstance(expr, Name | Member):
             return self._variable(expr, env, level)
         if isinstance(expr, Op) and expr.op == "[]":
-            each = self.folder.tables.element(expr, env)
+            each = self.folder.tables.element(expr, env, likely=True)
             return self._element(each, level) if each is not None else self._unseen(expr, env)
         if isinstance(expr, Op) and expr.op == "?:":
             return agreed([self.policies(branch, env, level + 1) for branch in self._branches(expr, env)])
+        if isinstance(expr, Op) and expr.op == "||":
+            return self._first(expr, env, level)
         if isinstance(expr, Items) and expr.items:
             return self.policies(expr.items[0], env, level + 1)
         return {} if isinstance(expr, Items | Lambda | Constant) else self._unseen(expr, env)
@@ -125,6 +128,17 @@ class QosReader:
         values = {value.text.lower() for value in self.folder.fold(expr.operands[0], env)}
         known = {"true": expr.operands[1:2], "false": expr.operands[2:]}
         return known.get(values.pop(), expr.operands[1:]) if len(values) == 1 else expr.operands[1:]
+
+    def _first(self, expr: Op, env: Env, level: int) -> dict[str, Any]:
+        """`given or QoSProfile(depth=1)`: the first that is anything, each that may be the first."""
+        found: list[dict[str, Any]] = []
+        for operand in expr.operands:
+            holds = self.folder.flow.truth(operand, env)
+            if holds is not False:
+                found.append(self.policies(operand, env, level + 1))
+            if holds:
+                break
+        return agreed(found)
 
     def _unseen(self, expr: Expr, env: Env) -> dict[str, Any]:
         """A depth where the value is a number, else a profile of which nothing is known."""
@@ -170,10 +184,15 @@ class QosReader:
             return self._by_key(callee, expr, env, level)
         found = presets().get(name)
         if found is not None:
-            return {**found[1], "profile": found[0]}
+            return {**found[1], **self._initialised(expr, env, level), "profile": found[0]}
         if name in _WRAPPERS or name.endswith("QoS") or self._path(expr, env) in _WRAPPERS:
             return self._profile(name, expr, env, level)
         return self._function(expr, env, level)
+
+    def _initialised(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        """The queue that a preset is made with: `SensorDataQoS(KeepLast(1))` is one in all but that."""
+        given = self.policies(expr.args[0], env, level + 1) if expr.args else {}
+        return {key: given[key] for key in _QUEUE if key in given}
 
     def _path(self, call: Call, env: Env) -> str:
         """What a function of Python is called in the module that has it."""
@@ -265,7 +284,7 @@ class QosReader:
         asked = policy_asked(value)
         if asked is not None:
             return {policy_called(each.text) or "unknown" for each in self.folder.fold(asked, env)}
-        element = self.folder.tables.element(value, env) if isinstance(value, Op) and value.op == "[]" else None
+        element = self.folder.tables.element(value, env, likely=True) if isinstance(value, Call | Op) else None
         if element is not None:
             return self._words(element.expr, element.env, level + 1)
         bound = env.args.get(value.id) if isinstance(value, Name) else None
@@ -281,17 +300,10 @@ class QosReader:
 
     def _variable(self, expr: Name | Member, env: Env, level: int) -> dict[str, Any]:
         name = expr.id if isinstance(expr, Name) else expr.name
-        if isinstance(expr, Name):
-            bound = self.folder.names.argument(expr.id, env)
-            given = self.policies(bound.expr, bound.env, level + 1) if bound is not None else {}
-            if given:
-                return given  # `if qos is None: qos = ...` has not happened then
-        found = self.variables.at(expr, env, level)
+        read = self.folder.properties.read(expr, env)
+        found = self._function(read, env, level) if read is not None else self.variables.at(expr, env, level)
         if found is not None:
             return (self._depth_alone(expr, env) if found == UNSEEN else None) or found
-        for parameter in env.func.fact.params:
-            if parameter.name == name and parameter.default is not None:
-                return self.policies(parameter.default, env, level + 1)
         around = self.variables.of_function_around(expr, env)
         return self.policies(expr, around, level + 1) if around is not None else self._constant(expr, name, env, level)
 
@@ -311,16 +323,16 @@ class QosReader:
         return {**self.chain(expr.callee.base, env), **self.set_by(expr, env)}
 
     def _function(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        """What a function of the tree gives back: at each return that is reached as long as nobody sets a parameter."""
         call = invocation_of(expr, env)
-        callee = self.folder.objects.callee(call, env)
-        if callee is None:
+        meant = self.folder.returns.meant(call, env)
+        callees = [meant] if meant is not None else self.folder.objects.callees(call, env)
+        if not callees:
             return self._unseen(expr, env)
-        args = bind(callee, call, env)
-        for at, statement in enumerate(callee.fact.body):
-            if statement.kind == "return" and statement.value is not None:
-                inner = Env(callee, at, args, this=callee.cls, depth=env.depth + 1)
-                return self.policies(statement.value, inner, level + 1)
-        return {**UNSEEN}
+        if any(self.folder.redefined.may_be(callee, call, env) for callee in callees):
+            return {**UNSEEN}
+        found = [each for callee in callees for each in self.folder.returns.expected(callee, call, env)]
+        return agreed([self.policies(value, place, level + 1) for value, place in found]) if found else {**UNSEEN}
 
     def _number(self, expr: Expr, env: Env) -> int | None:
         number = real(self.folder.fold(expr, env)[0].text)

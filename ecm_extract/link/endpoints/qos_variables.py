@@ -54,7 +54,7 @@ class QosVariables:
         parts = [each for each in self.folder.flow.outline(env.func).changes if key and each.startswith(f"{key}.")]
         if parts:
             return self._in_states(key, parts, env, level)
-        ways = self.folder.flow.ways(expr, env)
+        ways = self.folder.flow.ways(expr, env, likely=True)
         found = [self._any_of(helds, env, level) for helds in ways]
         if not found or None in found:
             return self._around(expr, key, env, level)
@@ -82,29 +82,36 @@ class QosVariables:
 
     def _in_states(self, key: str, parts: Iterable[str], env: Env, level: int) -> Policies | None:
         found: list[Policies] = []
-        for state in self.folder.flow.states(env):
-            whole = self._any_of(state.holds.get(key, ()), env, level)
+        for state in self.folder.flow.decisions.likely(self.folder.flow.states(env)):
+            given = (Held("given", key),) if key in env.func.given else ()
+            whole = self._any_of(state.holds.get(key, given), env, level)
             if whole is None:
                 return None
-            found.append(whole | self._of_parts(parts, state))
+            found.append(self._with_parts(whole, parts, state))
         return agreed(found) if found else None
 
-    def _of_parts(self, parts: Iterable[str], state: State) -> Policies:
-        """What fields of a profile are given; one that somebody may have given anything is unknown."""
-        found: Policies = {}
+    def _with_parts(self, whole: Policies, parts: Iterable[str], state: State) -> Policies:
+        """A profile with what its fields are given; one that somebody may have given anything is unknown."""
+        found = dict(whole)
         for part in parts:
-            field = part.rpartition(".")[2]
-            for held in self.folder.flow.decisions.ways(state.holds.get(part, ())):
-                known = held.how == "value" and held.expr is not None and held.env is not None
-                told = self.profiles.assigned(field, held.expr, held.env) if known and held.expr and held.env else None
-                found = agreed([found, told]) if field in found and told else found | (told or _unknown(field))
+            helds = self.folder.flow.decisions.ways(state.holds.get(part, ()), likely=True)
+            told = [self._of_part(part.rpartition(".")[2], held, whole) for held in helds]
+            found |= agreed(told) if told else {}
         return found
+
+    def _of_part(self, field: str, held: Held, whole: Policies) -> Policies:
+        """What a field holds, by its policy: one that is left alone is as the whole profile has it."""
+        if held.how == "given":
+            return {field: whole[field]} if field in whole else {}
+        known = held.how == "value" and held.expr is not None and held.env is not None
+        told = self.profiles.assigned(field, held.expr, held.env) if known and held.expr and held.env else None
+        return told or _unknown(field)
 
     # --- what a variable holds -----------------------------------------------------------------------------
 
     def _any_of(self, helds: Iterable[Held], env: Env, level: int) -> Policies | None:
         """The policies that all things have which a variable may hold; None where not all of them are known."""
-        ways = self.folder.flow.decisions.ways(tuple(helds))
+        ways = self.folder.flow.decisions.ways(tuple(helds), likely=True)
         found = [self._held(held, env, level) for held in ways if not _is_nothing(held)]
         known = [policies for policies in found if policies is not None]
         return agreed(known) if known and len(known) == len(found) else None
@@ -120,13 +127,24 @@ class QosVariables:
             return None if before is None else before | self.profiles.set_by(held.expr, inner)
         if held.how in {"looped", "handed", "entered"}:
             return self._any_of(held.before, inner, level)
-        if held.how == "after":
-            left = self.folder.held.left(held, inner)
-            return self._any_of(left[0], left[1], level) if left is not None else None
+        if held.how in {"after", "out"}:
+            left = self.folder.held.left(held, inner) if held.how == "after" else self.folder.held.out(held, inner)
+            return self._any_of(left[0], left[1].deeper(env.depth + 1), level + 1) if left else _none_of(held)
+        if held.how == "given" and held.name in inner.func.given:
+            return self._passed(held.name, inner, level)
         cls = inner.this or inner.func.cls
         if held.how in {"given", "shared"} and _is_member(held.name) and cls is not None:
             return self._of_member(held.name, cls, inner, level)
-        return dict(UNSEEN) if held.how in {"lost", "out", "stored", "read"} else None
+        return dict(UNSEEN) if held.how in {"lost", "stored", "read"} else None
+
+    def _passed(self, name: str, env: Env, level: int) -> Policies | None:
+        """What a function is called with, or what its parameter is by default; None where that is no profile."""
+        bound = self.folder.names.argument(name, env)
+        given = self.profiles.policies(bound.expr, bound.env, level + 1) if bound is not None else {}
+        default = next((each.default for each in env.func.fact.params if each.name == name), None)
+        if given or default is None:
+            return given or None
+        return self.profiles.policies(default, env.entry(), level + 1) or None
 
     # --- members -------------------------------------------------------------------------------------------
 
@@ -135,9 +153,8 @@ class QosVariables:
         cls = env.this or env.func.cls
         if _is_member(key) and cls is not None:
             return self._of_member(key, cls, env, level)
-        passed = key in env.func.given  # who asks knows what for
-        if passed:
-            return None
+        if key in env.func.given:
+            return self._passed(key, env, level)
         ways = self.folder.flow.ways(expr, env)
         found = self._any_of(self.folder.origins.held(expr, env), env, level) if not ways else None
         return found if found is not None or not isinstance(expr, Member) else self._of_object(expr, env, level)
@@ -183,7 +200,7 @@ class QosVariables:
         parts = [each for each in run.end.holds if each.startswith(f"{key}.")]
         given = any(held.how not in {"given", "shared"} for held in helds)
         whole = self._any_of(helds, place, level) if given else begun if parts else None
-        return None if whole is None else whole | self._of_parts(parts, run.end)
+        return None if whole is None else self._with_parts(whole, parts, run.end)
 
     def _declared(self, name: str, cls: Cls, env: Env, level: int) -> Policies | None:
         """What a data member, its own or of a base, is declared with; None for no such."""
@@ -207,6 +224,11 @@ def _preset(written: str) -> Policies:
     """What a variable begins with that is only declared: `rclcpp::SensorDataQoS qos;` is a preset by its type."""
     preset = presets().get(last_name(plain(written))) if written else None
     return {**preset[1], "profile": preset[0]} if preset is not None else {}
+
+
+def _none_of(held: Held) -> Policies | None:
+    """What is known of a variable that a function or method changed which is not followed."""
+    return dict(UNSEEN) if held.how == "out" else None
 
 
 def _unknown(field: str) -> Policies:

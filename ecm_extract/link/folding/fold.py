@@ -80,6 +80,7 @@ from ecm_extract.link.running.python_fields import PythonFields
 from ecm_extract.link.running.runs_once import RunsOnce
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.link.running.shifting import Shifting
+from ecm_extract.link.running.surely_made import SurelyMade
 from ecm_extract.link.running.unset_variables import UnsetVariables
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
@@ -132,6 +133,7 @@ class Folder:
         self.tables = TableFolder(self)
         self.spreading = Spreading(self)
         self.optionals = OptionalFolder(self)
+        self.surely_made = SurelyMade(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)
         self.numbers = TypedNumbers(self)

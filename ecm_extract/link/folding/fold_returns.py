@@ -118,6 +118,12 @@ class ReturnFolder:
         found = [(body[at].value, inner.within(state, at)) for at, state in self.folder.flow.returned(run)]
         return [(value, place) for value, place in found if value is not None]
 
+    def expected(self, callee: Func, call: Invocation, env: Env) -> list[tuple[Expr, Env]]:
+        """Return what a call of a function gives back as long as nobody sets a parameter, as `returned` does."""
+        found = self.returned(callee, call, env)
+        likely = self.folder.flow.decisions.is_likely
+        return [each for each in found if each[1].state is None or likely(each[1].state.route)] or found
+
     def shown(self, made: Bound) -> Bound:
         """Return what a function of C++ makes in braces or as a tuple, where one is called; anything else as it is."""
         if not isinstance(made.expr, Call) or made.env.func.file.language != "cpp" or makes_tuple(made.expr):

@@ -54,10 +54,11 @@ class TableFolder:
         default = self.folder.fold(rest[0], env) if rest else (constant(NULL),)
         return alternatives(demoted(found if surely else (*found, *default)))
 
-    def chosen(self, entries: list[Entry], key: Expr, env: Env) -> Bound | None:
-        """Return what a table surely has for a key; None where that is not decided."""
+    def chosen(self, entries: list[Entry], key: Expr, env: Env, likely: bool = False) -> Bound | None:
+        """Return what a table surely has for a key, or has as long as nobody sets a parameter; None for undecided."""
         for entry in reversed(entries):
-            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
+            place = self.folder.flow.naming(env, {"#key": entry.key})
+            alike = self.folder.flow.alike(key, Name("#key"), place, likely)
             if alike is not False:
                 return entry.value if alike else None
         return None
@@ -114,13 +115,13 @@ class TableFolder:
         left = self.folder.makers.left_in(expr, env) if isinstance(expr, Member) else None
         return self.held_entries(*left) if left is not None else self._declared_entries(expr, env)
 
-    def element(self, expr: Expr, env: Env) -> Bound | None:
-        """Return what a table has for a key, or a list at an index: `table["a"]`, `table.at("a")`, `rows[0]`."""
+    def element(self, expr: Expr, env: Env, likely: bool = False) -> Bound | None:
+        """Return what a table (likely: see `chosen`) has for a key, or a list at an index: `table["a"]`, `rows[0]`."""
         place = taken(expr)
         entries = self.entries(place[0], env) if place is not None else None
         if place is None or entries is None:
             return self.folder.lists.element(expr, env)
-        return self.chosen(entries, place[1], env)
+        return self.chosen(entries, place[1], env, likely)
 
     def element_or(self, table: Expr, given: Sequence[Expr], env: Env) -> Bound | None:
         """Return what `table.get(key, default)` surely gives; None where that is not decided."""

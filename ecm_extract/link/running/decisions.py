@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Final
 
-from ecm_extract.infer.held import Held, Part, State, Turn, all_ways, either
+from ecm_extract.infer.held import Held, Part, State, Turn
 from ecm_extract.infer.kinds import any_fits
 from ecm_extract.infer.routes import OPEN, START, Fitting, Fork, Gate, Route, Verdict
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.leading import Leading
+from ecm_extract.link.running.ways import Ways
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -21,7 +22,6 @@ MAX_NESTED: Final = 60
 """Branches that are decided within others."""
 MAX_RECURSION: Final = 2
 """Runs of one function of which branches are decided within each other."""
-_TAKEN: Final = "taken"
 
 
 class Decisions:
@@ -34,6 +34,8 @@ class Decisions:
         self._meanwhile: dict[Fork, Verdict] = {}
         self._live = Leading("live", lambda fork, holds: self.of(fork).holds is not (not holds))
         self._likely = Leading("likely", lambda fork, holds: self.of(fork).likely is not (not holds))
+        self._taken = Ways(folder, "taken", self._live_parts)
+        self._expected = Ways(folder, "expected", self._likely_parts)
 
     @property
     def deciding(self) -> Iterable[Func]:
@@ -107,39 +109,18 @@ class Decisions:
         """Return the branches on the way to a state that nobody can decide, by the side that was taken."""
         return tuple(turn for turn in state.path if turn.gate is None or self.of(turn.gate).holds is None)
 
+    def likely(self, states: Sequence[State]) -> Sequence[State]:
+        """Return the states that a run may be in as long as nobody sets a parameter; all where it is in none."""
+        live = self.live(states)
+        return live if len(live) <= 1 else [state for state in live if self.is_likely(state.route)] or live
+
     # --- variables -----------------------------------------------------------------------------------------
 
-    def ways(self, helds: tuple[Held, ...]) -> tuple[Held, ...]:
-        """Return what a variable may hold on the routes that may be taken."""
-        if all(held.how != "met" for held in helds):
-            return helds
-        cuts, found = self.folder.cuts, dict[Held, tuple[Held, ...]]()
-        for held in helds:
-            self._find(held, found)
-        if cuts == self.folder.cuts:
-            for held, ways in found.items():
-                held.settled[_TAKEN] = ways
-        return _joined(helds, found) or all_ways(helds)  # no run gets here
+    def ways(self, helds: tuple[Held, ...], likely: bool = False) -> tuple[Held, ...]:
+        """Return what a variable may hold on the routes that may be taken, or on those that likely are."""
+        return (self._expected if likely else self._taken).of(helds)
 
-    def _find(self, first: Held, found: dict[Held, tuple[Held, ...]]) -> None:
-        """Find what each of the things holds that met, and those that met to make it: there may be thousands."""
-        taken: dict[Held, Sequence[Part]] = {}
-        pending = [first]
-        while pending:
-            held = pending[-1]
-            known = held.settled.get(_TAKEN)
-            if held.how != "met" or held in found or isinstance(known, tuple):
-                if isinstance(known, tuple):
-                    found[held] = known
-                pending.pop()
-                continue
-            if held not in taken:
-                taken[held] = self._taken(held)
-                pending += [way for part in taken[held] for way in part.ways if way.how == "met"]
-                continue
-            found[held] = _joined([way for part in taken[held] for way in part.ways], found)
-
-    def _taken(self, held: Held) -> Sequence[Part]:
+    def _live_parts(self, held: Held) -> Sequence[Part]:
         """The parts on routes that may be taken, likely ones first; all of them where none may, but of a test."""
         since = held.since
         live = [part for part in held.parts if self.is_live(part.route, since)]
@@ -147,10 +128,7 @@ class Decisions:
             live = list(held.parts)
         return live if len(live) <= 1 else sorted(live, key=lambda part: not self.is_likely(part.route, since))
 
-
-def _joined(helds: Iterable[Held], found: Mapping[Held, tuple[Held, ...]]) -> tuple[Held, ...]:
-    """What a variable may hold, by what is found of those that met."""
-    ways: tuple[Held, ...] = ()
-    for held in helds:
-        ways = either(held.name, ways, found.get(held, (held,)))
-    return ways
+    def _likely_parts(self, held: Held) -> Sequence[Part]:
+        """The parts on routes that may be taken and are likely; all that may be taken where none is."""
+        live = self._live_parts(held)
+        return live if len(live) <= 1 else [part for part in live if self.is_likely(part.route, held.since)] or live

@@ -179,8 +179,8 @@ class Flow:
     def _is_certain(self, env: Env) -> bool:
         return env.state is None and env.at in self.outline(env.func).certain
 
-    def ways(self, expr: Expr, env: Env) -> list[tuple[Held, ...]]:
-        """Return what a variable may hold at a place, for each state; nothing where the function leaves it alone."""
+    def ways(self, expr: Expr, env: Env, likely: bool = False) -> list[tuple[Held, ...]]:
+        """Return what a variable may (likely: see `Decisions`) hold, by state; nothing where the function leaves it."""
         effects = self.effects(env.func)
         key = effects.key(expr)
         if not key:
@@ -190,8 +190,8 @@ class Flow:
             return lasting
         if env.state is None and not self._may_differ(key, env):
             return self._entered(key, env)
-        states = self.states(env)
-        found = [self.decisions.ways(state.holds.get(key, ())) for state in states]
+        states = self.decisions.likely(self.states(env)) if likely else self.states(env)
+        found = [self.decisions.ways(state.holds.get(key, ()), likely) for state in states]
         if not any(found):
             if key in self.outline(env.func).escaped and "." in key[1:]:
                 return [(Held("lost", key),)]  # a function within may give the field something any time
@@ -253,9 +253,9 @@ class Flow:
         """Tell whether what a branch asks holds, or something raises, and whether it likely does."""
         return self.decisions.of(fork)
 
-    def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
-        """Tell whether two expressions have the same value; None when that is not decided."""
-        return self._truths.alike(one, other, env)
+    def alike(self, one: Expr, other: Expr, env: Env, likely: bool = False) -> bool | None:
+        """Tell whether two expressions (likely) have the same value; None when that is not decided."""
+        return self._truths.alike(one, other, env, likely)
 
     def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
         """Return what a loop is over, each element once; None when not all of it is known."""

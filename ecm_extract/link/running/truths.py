@@ -86,12 +86,13 @@ class Truths:
             return Verdict(full, full)
         values = self.folder.fold(test, env)
         found = Verdict(_truth(values, is_proved, python), _truth(values, is_known, python))
-        return self._of_list(test, env, found) if python and None in found else found
+        return self._of_object(test, env, found) if python and None in found else found
 
-    def _of_list(self, test: Expr, env: Env, found: Verdict) -> Verdict:
-        """A list of Python holds when it is not empty."""
+    def _of_object(self, test: Expr, env: Env, found: Verdict) -> Verdict:
+        """A list of Python holds when it is not empty, an object of most classes always."""
         items = self.folder.lists.items(test, env)
-        return found if items is None else Verdict(*[bool(items) if each is None else each for each in found])
+        holds = bool(items) if items is not None else self.folder.surely_made.holds(test, env)
+        return found if holds is None else Verdict(*[holds if each is None else each for each in found])
 
     def _is_exposed(self, test: Expr, func: Func) -> bool:
         """Whether a condition asks for a variable that somebody may write in a way that is not followed."""
@@ -108,11 +109,12 @@ class Truths:
                 break
         return Verdict(_met([each.holds for each in found], ends), _met([each.likely for each in found], ends))
 
-    def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
-        """Tell whether two expressions have the same value; None when that is not decided."""
+    def alike(self, one: Expr, other: Expr, env: Env, likely: bool = False) -> bool | None:
+        """Tell whether two expressions (likely) have the same value; None when that is not decided."""
         python = env.func.file.language == "python"
         pairs = [(a, b) for a in self.folder.fold(one, env) for b in self.folder.fold(other, env)]
-        found = {_same(a, b, python) for a, b in pairs}
+        counts = is_known if likely else is_proved
+        found = {_same(a, b, python) if counts(a) and counts(b) else None for a, b in pairs}
         return found.pop() if len(found) == 1 else None
 
 
@@ -135,8 +137,6 @@ def _met(operands: Sequence[bool | None], ends: bool) -> bool | None:
 
 
 def _same(one: Value, other: Value, python: bool) -> bool | None:
-    if not (is_proved(one) and is_proved(other)):
-        return None
     found = operate("==", data_in(one), data_in(other), python)
     return None if found is UNKNOWN else bool(found)
 
