@@ -159,9 +159,10 @@ class Effects:
     def may_change(self, name: str) -> bool:
         """Tell whether the function may change what its parameter consists of, or give it to somebody who may."""
         for at, statement in enumerate(self.func.fact.body):
-            if any(effect.key == name for effect in self.of(at)):
+            if any(is_within(effect.key, name) for effect in self.of(at)):
                 return True
-            within = self.root(statement.target) == name and self.key(statement.target) != name
+            key = self.key(statement.target)
+            within = key != name and (self.root(statement.target) == name or is_within(key, name))
             grown = self.key(statement.target) == name and statement.type.endswith("=")
             kept = statement.kind in {"set", "return"} and self.key(statement.value) == name
             if within or grown or kept:
@@ -300,6 +301,11 @@ class Effects:
                 yield Effect("lost", root, call)
             elif not pointed:
                 yield Effect("out" if self.key(arg) and not written.endswith("&&") else "lost", root, call, name)
+
+
+def is_within(key: str, name: str) -> bool:
+    """Tell whether a variable is one of a name, or a field of that, at any depth."""
+    return key == name or key.startswith(f"{name}.")
 
 
 def _is_text_or_path(expr: Expr) -> bool:

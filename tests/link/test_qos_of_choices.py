@@ -76,6 +76,7 @@ PYTHON_ROWS = [
     ("self.add(qos_profile_sensor_data)", ("best_effort", "volatile", 5)),
     ("self.add()", ("reliable", "volatile", 3)),
     ("self.lossy(QoSProfile(depth=9))", ("best_effort", "volatile", 9)),
+    ("q = QoSProfile(depth=9); self.lossy(q); " + PUBLISH.format("q"), ("best_effort", "volatile", 9)),
     ("self.first(QoSProfile(depth=9))", ("reliable", "volatile", 9)),
     ("self.first()", ("reliable", "volatile", 3)),
     (PUBLISH.format("self.of('kept')"), ("reliable", "transient_local", 2)),

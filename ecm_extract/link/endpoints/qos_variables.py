@@ -127,15 +127,28 @@ class QosVariables:
             return None if before is None else before | self.profiles.set_by(held.expr, inner)
         if held.how in {"looped", "handed", "entered"}:
             return self._any_of(held.before, inner, level)
-        if held.how in {"after", "out"}:
-            left = self.folder.held.left(held, inner) if held.how == "after" else self.folder.held.out(held, inner)
-            return self._any_of(left[0], left[1].deeper(env.depth + 1), level + 1) if left else _none_of(held)
+        if held.how == "after":
+            left = self.folder.held.left(held, inner)
+            return self._any_of(left[0], left[1].deeper(env.depth + 1), level + 1) if left is not None else None
+        if held.how == "out":
+            return self._handed_out(held, inner, level)
         if held.how == "given" and held.name in inner.func.given:
             return self._passed(held.name, inner, level)
         cls = inner.this or inner.func.cls
         if held.how in {"given", "shared"} and _is_member(held.name) and cls is not None:
             return self._of_member(held.name, cls, inner, level)
         return dict(UNSEEN) if held.how in {"lost", "stored", "read"} else None
+
+    def _handed_out(self, held: Held, env: Env, level: int) -> Policies:
+        """What a function makes of a profile that it is handed, as a whole or field by field."""
+        left = self.folder.held.out(held, env)
+        run = self.folder.flow.run(left[1]) if left is not None else None
+        if left is None or run is None or run.end is None:
+            return dict(UNSEEN)
+        ways, inner = left[0], left[1].deeper(env.depth + 1)
+        whole = self._any_of(ways, inner, level + 1)
+        parts = [key for key in run.end.holds if key.startswith(f"{held.name}.")]
+        return self._with_parts(whole, parts, run.end) if whole is not None else dict(UNSEEN)
 
     def _passed(self, name: str, env: Env, level: int) -> Policies | None:
         """What a function is called with, or what its parameter is by default; None where that is no profile."""
@@ -224,11 +237,6 @@ def _preset(written: str) -> Policies:
     """What a variable begins with that is only declared: `rclcpp::SensorDataQoS qos;` is a preset by its type."""
     preset = presets().get(last_name(plain(written))) if written else None
     return {**preset[1], "profile": preset[0]} if preset is not None else {}
-
-
-def _none_of(held: Held) -> Policies | None:
-    """What is known of a variable that a function or method changed which is not followed."""
-    return dict(UNSEEN) if held.how == "out" else None
 
 
 def _unknown(field: str) -> Policies:

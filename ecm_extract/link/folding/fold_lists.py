@@ -305,6 +305,8 @@ class ListFolder:
 
     def is_others(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether functions that have the object of a member change it, so that no method here shows it."""
+        if self.folder.changed_outside.is_handed_out(expr, env):
+            return True
         name, cls = expr.id if isinstance(expr, Name) else expr.name, env.this or env.func.cls
         if cls is None or not (
             is_own_member(expr) or (isinstance(expr, Name) and self.folder.scope.member_type(name, cls))

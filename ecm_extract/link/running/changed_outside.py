@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import THIS, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.held import all_ways
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.running.env import Env
@@ -33,6 +34,13 @@ class ChangedOutside:
             found = (self._owns(func, owner, cls) for func, owner in self._changing.get(name, ()))
             known = self._known[name, cls] = any(found)
         return known
+
+    def is_handed_out(self, expr: Expr, env: Env) -> bool:
+        """Tell whether a field of Python lies in an object that a function was handed which changes it."""
+        if env.func.file.language != "python" or not isinstance(expr, Member):
+            return False
+        ways = self.folder.flow.ways(expr.base, env)
+        return any(held.how in {"out", "lost"} for way in ways for held in all_ways(way))
 
     def _owns(self, func: Func, owner: Expr, cls: Cls) -> bool:
         """Whether an object that a function changes is of a class, or of one that derives from it."""
