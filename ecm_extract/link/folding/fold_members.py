@@ -16,6 +16,7 @@ from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.begun_fields import begun_field
 from ecm_extract.link.folding.formats import VALUE_READS, read_as
+from ecm_extract.link.folding.handed_fields import handed_field
 from ecm_extract.link.index.module_kinds import class_kind
 from ecm_extract.link.running.env import Env, Instance
 from ecm_extract.link.running.values import (
@@ -71,6 +72,9 @@ class MemberFolder:
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)
+        handed = handed_field(expr, env, self.folder)
+        if handed:
+            return handed
         pointed = self.folder.searches.part(expr, env)
         if pointed is not None:
             return demoted(self.folder.lists.fold(pointed, env))
