@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -179,7 +179,7 @@ class Outline:
         found = {effect.key for effect in effects if effect.kind in {"handed", "lost"}}
         for statement in self.func.fact.body:
             for start in (statement.target, statement.value):
-                found |= {self.effects.key(name) for name in _given_away(start)}
+                found |= {self.effects.key(name) for name in _given_away(start, self.effects.targets.keeps)}
         return frozenset((found | self.escaped) & self.effects.own)
 
     @cached_property
@@ -286,8 +286,11 @@ def _is_given(call: Call, func: Func) -> bool:
     return any(function_named(arg) == func.fact.name for arg in call.args)
 
 
-def _given_away(expr: Expr | None) -> Iterator[Expr]:
-    """Yield the names in braces, the names whose address is taken, and the arguments of what makes an object."""
+def _given_away(expr: Expr | None, keeps: Callable[[str], bool]) -> Iterator[Expr]:
+    """Yield the names in braces, the names whose address is taken, and the arguments of what makes an object.
+
+    `keeps` tells which classes of libraries copy what they are made of.
+    """
     if expr is None:
         return
     if isinstance(expr, Items):
@@ -295,11 +298,11 @@ def _given_away(expr: Expr | None) -> Iterator[Expr]:
     elif isinstance(expr, Op) and expr.op == "&" and len(expr.operands) == 1:
         yield expr.operands[0]
     elif isinstance(expr, Call) and isinstance(expr.callee, Name) and _makes_or_ties(expr.callee.id):
-        yield from (arg for arg in expr.args if isinstance(arg, Name))
+        yield from (arg for arg in expr.args if isinstance(arg, Name) and not keeps(expr.callee.id))
     prints = isinstance(expr, Op) and expr.op == "%"  # what a format is filled with stands in a list of its own
     for part in children(expr):
         for inner in children(part) if prints and isinstance(part, Items) else (part,):
-            yield from _given_away(inner)
+            yield from _given_away(inner, keeps)
 
 
 def _makes_or_ties(name: str) -> bool:

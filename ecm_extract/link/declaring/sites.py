@@ -17,6 +17,7 @@ from ecm_extract.link.code.option_structs import spread
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.call_targets import CallTargets
 from ecm_extract.link.declaring.closures import given, is_of_parameter
+from ecm_extract.link.declaring.deciding import deciding
 from ecm_extract.link.declaring.escaping import escaping, handed_makers
 from ecm_extract.link.declaring.instead import given_instead
 from ecm_extract.link.declaring.making import Making
@@ -177,6 +178,8 @@ class Sites:
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self.openness.of(site, self.names(site))
         given = site.root.given
+        if not params & given:
+            params |= deciding(site, self.names(site), self.folder)
         around = {name for func in self.folder.nesting.around(site.root) for name in func.given}
         if params & (given | set(site.root.own_template)) or (params | made) & around:
             if site.form.row.value and site.root not in self._remembered:

@@ -1,0 +1,57 @@
+"""Parameters that decide whether a function gets to a site, or which name that has, where all callers are known."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ecm_parsers.source.expr import Expr, Op
+from ecm_parsers.source.flow import Branch, Loop, Switch, steps
+
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.walk import expressions, names_in
+from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.values import Value, is_proved
+
+
+def deciding(site: Site, names: Sequence[Value], folder: Folder) -> frozenset[str]:
+    """Return the parameters of the outermost function that decide; none of which a caller leaves the value open."""
+    func = site.root
+    if not func.given or func.is_constructor:
+        return frozenset()
+    tests = _within(func) if len(names) > 1 else _on_the_way(site, folder)
+    asked = func.given & {name for test in tests for name in names_in(test)}
+    return asked if asked and _are_settled(func, asked, folder) else frozenset()
+
+
+def _on_the_way(site: Site, folder: Folder) -> Iterator[Expr]:
+    """What is asked on the way to a site and not decided yet."""
+    for state in folder.flow.reached(site.places[0] if site.places else site.env):
+        for turn in folder.flow.decisions.turns(state):
+            if turn.test is not None:
+                yield turn.test
+
+
+def _within(func: Func) -> Iterator[Expr]:
+    """What a function asks anywhere."""
+    for step in steps(func.fact.flow):
+        if isinstance(step, Branch | Loop) and step.test is not None:
+            yield step.test
+        elif isinstance(step, Switch):
+            yield step.subject
+            yield from (test for case in step.cases for test in case.tests)
+    for statement in func.fact.body:
+        yield from (expr.operands[0] for expr, _ in expressions(statement) if isinstance(expr, Op) and expr.op == "?:")
+
+
+def _are_settled(func: Func, asked: frozenset[str], folder: Folder) -> bool:
+    """Whether all callers of a function are known, with what they hand it for the parameters that decide."""
+    callers = folder.states.callers.of(func)
+    for call, place in callers or ():
+        args = bind(func, call, place)
+        for name in asked:
+            values = folder.fold(args[name].expr, args[name].env) if name in args else ()
+            if len(values) != 1 or not is_proved(values[0]):
+                return False
+    return callers is not None
