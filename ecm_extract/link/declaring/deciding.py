@@ -20,7 +20,7 @@ def deciding(site: Site, names: Sequence[Value], folder: Folder) -> frozenset[st
     func = site.root
     if not func.given or func.is_constructor:
         return frozenset()
-    tests = _within(func) if len(names) > 1 else _on_the_way(site, folder)
+    tests = _within(func) if len(names) > 1 or site.form.row.streams else _on_the_way(site, folder)
     asked = func.given & {name for test in tests for name in names_in(test)}
     return asked if asked and _are_settled(func, asked, folder) else frozenset()
 
