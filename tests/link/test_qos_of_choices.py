@@ -21,7 +21,7 @@ public:
   D() : Node("d") {
     {body}
   }
-  void flag(bool kept) {
+  void flagged(bool kept) {
     rclcpp::QoS q(1);
     if (kept) { q.transient_local(); }
     create_publisher<std_msgs::msg::String>("flag", q);
@@ -39,9 +39,9 @@ ROWS = [
     (BRANCH.format(", true") + MAKE.format("q"), ("best_effort", "volatile", 5)),
     (BRANCH.format("") + MAKE.format("q"), ("unknown", "volatile", 5)),
     ("add(rclcpp::QoS(5));", ("best_effort", "volatile", 5)),
-    ("flag(true);", ("reliable", "transient_local", 1)),
-    ("flag(false);", ("reliable", "volatile", 1)),
-    ("flag(found());", ("reliable", "unknown", 1)),
+    ("flagged(true);", ("reliable", "transient_local", 1)),
+    ("flagged(false);", ("reliable", "volatile", 1)),
+    ("flagged(found());", ("reliable", "unknown", 1)),
     ("rclcpp::QoS q(5); lossy(q); " + MAKE.format("q"), ("best_effort", "volatile", 5)),
     (MAKE.format("kept(rclcpp::QoS(4))"), ("reliable", "transient_local", 4)),
     (MAKE.format("rclcpp::SensorDataQoS(rclcpp::KeepLast(1))"), ("best_effort", "volatile", 1)),
@@ -100,7 +100,7 @@ PYTHON_ROWS = [
 
 
 def _told(found: Any, body: str) -> tuple[str, str, int | None]:
-    helper = next((name for name in ("add", "flag", "lossy", "first") if f"{name}(" in body), "")
+    helper = next((name for name in ("add", "flag", "lossy", "first") if name in body), "")
     made = "a" if "create_publisher" in body else helper
     qos = next(entry.qos for entry in found.interfaces() if entry.name == f"/{made}")
     return qos.reliability, qos.durability, qos.depth
