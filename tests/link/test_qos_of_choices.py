@@ -116,3 +116,22 @@ def test_a_profile_is_the_one_that_is_decided_for(workspace: Any, body: str, exp
 def test_a_profile_of_python_is_the_one_that_is_decided_for(workspace: Any, body: str, expected: Any) -> None:
     """The same; an object that is handed over is not None."""
     assert _told(workspace.package({"pkg/d.py": PYTHON.replace("{body}", body)}), body) == expected
+
+
+@pytest.mark.parametrize(("latch", "expected"), [("true", "transient_local"), ("false", None), ("argc > 1", "unknown")])
+def test_a_flag_that_is_handed_on_decides_whether_a_publisher_of_ros1_is_latched(
+    workspace: Any, latch: str, expected: str | None
+) -> None:
+    """Whoever calls the method knows it, also where nothing asks for the flag."""
+    text = f"""
+class D {{
+public:
+  explicit D(int argc) {{ begin({latch}); }}
+  void begin(bool latched) {{ pub_ = nh_.advertise<std_msgs::String>("a", 1, latched); }}
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+}};
+int main(int argc, char ** argv) {{ ros::init(argc, argv, "d"); D d(argc); ros::spin(); }}
+"""
+    found = workspace.package({"src/d.cpp": text}, ros=1)
+    assert found.only("publisher").qos.durability == expected

@@ -20,8 +20,10 @@ def deciding(site: Site, names: Sequence[Value], folder: Folder) -> frozenset[st
     func = site.root
     if not func.given or func.is_constructor:
         return frozenset()
-    tests = _within(func) if len(names) > 1 or site.form.row.streams else _on_the_way(site, folder)
-    asked = func.given & {name for test in tests for name in names_in(test)}
+    streams = site.form.row.streams
+    tests = _within(func) if len(names) > 1 or streams else _on_the_way(site, folder)
+    given = site.call.args if streams and site.call.func is func else ()  # whether it is latched, and how much it keeps
+    asked = func.given & {name for each in (*tests, *given) for name in names_in(each)}
     return asked if asked and _are_settled(func, asked, folder) else frozenset()
 
 

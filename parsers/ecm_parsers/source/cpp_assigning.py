@@ -39,7 +39,7 @@ class Assigning:
         """Read an expression whose value nobody takes."""
         if node.type == "call_expression" and self._logs(node.start_byte):
             return
-        if node.type == "comma_expression":
+        if node.type in {"comma_expression", "parenthesized_expression"}:
             for child in node.named_children:
                 self.expression(child)
             return
