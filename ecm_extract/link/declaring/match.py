@@ -105,8 +105,7 @@ class Matcher:
             return self.signs.show(form, call, env)
         bare = plain(pointee(written))
         target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
-        last = last_name(plain(pointee(target)))
-        return last in form.receiver or any(last == entry + "Ptr" for entry in form.receiver)
+        return any(_is_of(plain(pointee(target)), entry) for entry in form.receiver)
 
     def _derives(self, form: Form, call: Invocation) -> bool:
         """Whether the class of the object at hand derives from one of the row, and has no such method itself."""
@@ -135,6 +134,8 @@ class Matcher:
             return True
         if "::" in path or call.func.file.language == "python":
             return False
+        if _is_inside(call.func.scope, form.callee.rpartition("::")[0]) and path == last_name(form.callee):
+            return True
         target = self.folder.program.alias(path, call.func.file, env.scope)
         if target is not None:
             return by_value(target) and _qualified(plain(target), form.callee)
@@ -207,11 +208,32 @@ def name_argument(form: Form, call: Invocation) -> Expr | None:
     return None if isinstance(found, Number | Constant | Lambda) else found
 
 
+def latch_argument(form: Form, call: Invocation) -> Expr | None:
+    """Return the flag that keeps the last message: in C++ the last argument of its overload, behind callbacks."""
+    positioned = form.latch
+    if call.func.file.language != "python":
+        last = f"arg:{len(placed_arguments(call)) - 1}"
+        positioned = last if last in form.latch.split("|") else ""
+    return next((flag for flag in positions(positioned, call) if not is_callback(flag)), None)
+
+
 def is_callback(expr: Expr) -> bool:
     """Tell whether an argument is a function: some overloads take the profile after it."""
     if isinstance(expr, Call) and isinstance(expr.callee, Name):
         return last_name(expr.callee.id) in {"bind", "bind_front", "mem_fn"}
     return isinstance(expr, Lambda) or (isinstance(expr, Op) and expr.op == "&")
+
+
+def _is_of(written: str, entry: str) -> bool:
+    """Tell whether a class, or a pointer to it by the name that libraries give such, is the one of a row."""
+    if "::" in entry:
+        return _qualified(written, entry)
+    return last_name(written) in {entry, entry + "Ptr"}
+
+
+def _is_inside(scope: str, namespace: str) -> bool:
+    """Tell whether a tree's own scope lies in a namespace of a library, whose names it then has without a prefix."""
+    return scope == namespace or scope.startswith(f"{namespace}::")
 
 
 def _qualified(path: str, callee: str) -> bool:
