@@ -59,3 +59,35 @@ def test_a_namespace_of_the_same_name_elsewhere_is_not_that_of_the_library(works
     program = program.replace("  actionlib::Queued", "  mine::actionlib::Queued")
     found = workspace.package({"src/demo.cpp": program, "CMakeLists.txt": BUILD}, 1).interfaces()
     assert [each.role for each in found] == []
+
+
+ASKING = """
+#include <ros/ros.h>
+namespace ros {{
+{own}
+class Extra {{
+ public:
+  Extra() {{ param::get("rate", rate_); }}
+  int rate_;
+}};
+}}
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "demo");
+  ros::Extra extra;
+  ros::spin();
+}}
+"""
+
+
+def test_a_function_of_roscpp_is_called_without_ros_within_its_namespace(workspace: Any) -> None:
+    """`param::get` is `ros::param::get` there."""
+    program = {"src/demo.cpp": ASKING.format(own=""), "CMakeLists.txt": BUILD}
+    entry = workspace.package(program, 1).only("parameter")
+    assert (entry.name, entry.type) == ("/rate", "integer")
+
+
+def test_a_function_that_the_tree_has_in_that_namespace_is_the_one_that_is_called(workspace: Any) -> None:
+    """It asks for nothing."""
+    own = "namespace param { bool get(const std::string & key, int & value) { return false; } }"
+    program = {"src/demo.cpp": ASKING.format(own=own), "CMakeLists.txt": BUILD}
+    assert workspace.package(program, 1).interfaces() == []

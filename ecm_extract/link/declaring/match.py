@@ -60,7 +60,11 @@ class Matcher:
         if call.receiver is not None:
             return False
         if form.match == "function":
-            return _qualified(call.path, form.callee) or self._is_brought(form, call, env)
+            return (
+                _qualified(call.path, form.callee)
+                or self._is_brought(form, call, env)
+                or (_is_within(call, form.callee) and self.folder.objects.callee(call, env) is None)
+            )
         return self._constructs(form, call, env) and not self._is_of_tree(form, call, env)
 
     def _named(self, form: Form, call: Invocation) -> bool:
@@ -132,10 +136,10 @@ class Matcher:
         path = call.path
         if _qualified(path, form.callee) or ("::" not in form.callee and "." not in form.callee):
             return True
+        if _is_within(call, form.callee):
+            return True
         if "::" in path or call.func.file.language == "python":
             return False
-        if _is_inside(call.func.scope, form.callee.rpartition("::")[0]) and path == last_name(form.callee):
-            return True
         target = self.folder.program.alias(path, call.func.file, env.scope)
         if target is not None:
             return by_value(target) and _qualified(plain(target), form.callee)
@@ -231,9 +235,11 @@ def _is_of(written: str, entry: str) -> bool:
     return last_name(written) in {entry, entry + "Ptr"}
 
 
-def _is_inside(scope: str, namespace: str) -> bool:
-    """Tell whether a tree's own scope lies in a namespace of a library, whose names it then has without a prefix."""
-    return scope == namespace or scope.startswith(f"{namespace}::")
+def _is_within(call: Invocation, callee: str) -> bool:
+    """Tell whether a call stands in a namespace of a library, whose names the tree then has without a prefix."""
+    namespace = callee.removesuffix(f"::{call.path}")
+    scope = call.func.scope
+    return namespace != callee and (scope == namespace or scope.startswith(f"{namespace}::"))
 
 
 def _qualified(path: str, callee: str) -> bool:
