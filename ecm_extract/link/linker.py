@@ -14,7 +14,7 @@ from ecm_parsers.source.expr import Name, Text
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
 from ecm_extract.link.declaring.listed import defaults_of, listed_parameters
-from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, positions
+from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, latch_argument, positions
 from ecm_extract.link.declaring.parameters import Home, Parameters
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
@@ -335,8 +335,7 @@ class Linker:
             return None
         given = next((expr for expr in positions(form.qos, site.call) if not is_callback(expr)), None)
         if ros == 1:
-            flags = [flag for flag in positions(form.latch, site.call) if not is_callback(flag)]
-            return self.qos.depth(given, flags[0] if flags else None, site.env)
+            return self.qos.depth(given, latch_argument(form, site.call), site.env)
         return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)
 
 

@@ -43,6 +43,8 @@ ROWS = [
     ('if (!pnh_.getParam("p", member_)) { throw Unset(); }', "integer", None),
     ('bool on{true}; pnh_.getParam("p", on);', "bool", True),
     ('pnh_.getParam("p", this->member_); this->member_ = 9;', "integer", 2),
+    ('pnh_.getParam("p", plain_); plain_ = 9;', "integer", None),
+    ('pnh_.getParam("p", plain_); this->plain_ = 9;', "integer", None),
     ('bool off = true; if (pnh_.getParam("p", off)) off = !off;', "bool", None),
     ('bool off = true; if (pnh_.getParam("p", off)) { ROS_INFO("set"); off = !off; }', "bool", None),
     ('if (!pnh_.getParam("p", text_)) { text_ = "a.b"; } else { text_ = "a." + text_; }', "string", None),

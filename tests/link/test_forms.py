@@ -91,6 +91,8 @@ ROWS = [
     ("cpp1", 'ros::Subscriber s = nh.subscribe<sensor_msgs::LaserScan>("scan", 1, on_scan);', "subscriber", "/scan", "sensor_msgs/msg/LaserScan"),
     ("cpp1", 'auto base = boost::make_shared<ros::NodeHandle>("~"); base->advertise<std_msgs::String>("chatter", 5);', "publisher", "/demo/chatter", "std_msgs/msg/String"),
     ("cpp1", 'image_transport::ImageTransport it(pnh); auto p = it.advertise("image", 1);', "publisher", "/demo/image", "sensor_msgs/msg/Image"),
+    ("cpp1", 'image_transport::ImageTransport it(pnh); image_transport::SubscriberFilter f(it, "image", 4);', "subscriber", "/demo/image", "sensor_msgs/msg/Image"),
+    ("cpp1", 'image_transport::ImageTransport it(pnh); image_transport::SubscriberFilter f; f.subscribe(it, "image", 4);', "subscriber", "/demo/image", "sensor_msgs/msg/Image"),
     ("cpp1", 'ros::ServiceServer s = nh.advertiseService("set", on_set);', "service_server", "/set", "std_srvs/srv/SetBool"),
     ("cpp1", 'ros::ServiceClient c = nh.serviceClient<std_srvs::SetBool>("set");', "service_client", "/set", "std_srvs/srv/SetBool"),
     ("cpp1", 'actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction> server(nh, "move", false);', "action_server", "/move", "move_base_msgs/action/MoveBase"),
@@ -100,6 +102,8 @@ ROWS = [
     ("cpp1", 'typedef actionlib::ActionClient<move_base_msgs::MoveBaseAction> Client; Client client("move");', "action_client", "/move", "move_base_msgs/action/MoveBase"),
     ("cpp1", 'using Text = std_msgs::String; auto p = nh.advertise<Text>("chatter", 1);', "publisher", "/chatter", "std_msgs/msg/String"),
     ("cpp1", 'Server server(nh, "move", false);', "action_server", "/move", "move_base_msgs/action/MoveBase"),
+    ("cpp1", 'pcl_ros::Publisher<pcl::PointXYZ> p(pnh, "cloud", 4);', "publisher", "/demo/cloud", "sensor_msgs/msg/PointCloud2"),
+    ("cpp1", 'pcl_ros::Publisher<pcl::PointXYZ> p; p.advertise(pnh, "cloud", 4);', "publisher", "/demo/cloud", "sensor_msgs/msg/PointCloud2"),
     ("cpp1", 'BOOST_FOREACH(const Item & item, items) { item.pub = nh.advertise<std_msgs::String>("chatter", 5); }', "publisher", "/chatter", "std_msgs/msg/String"),
     ("cpp1", 'camera_info_manager::CameraInfoManager m(nh, "left");', "service_server", "/set_camera_info", "sensor_msgs/srv/SetCameraInfo"),
     ("cpp1", 'auto m = boost::make_shared<camera_info_manager::CameraInfoManager>(pnh);', "service_server", "/demo/set_camera_info", "sensor_msgs/srv/SetCameraInfo"),
@@ -175,6 +179,28 @@ template<typename ServiceT> class ServiceClient {
     assert entry.qos.profile == "system_default"
 
 
+QUEUES = [
+    ('pcl_ros::Publisher<pcl::PointXYZ> p; p.advertise(nh, "x", 4);', 4, None),
+    ('image_transport::SubscriberFilter f; f.subscribe(it, "x", 5);', 5, None),
+    ('image_transport::SubscriberFilter f(it, "x", 6);', 6, None),
+    ('auto p = it.advertiseCamera("x", 2, true);', 2, "transient_local"),
+    ('auto p = it.advertise("x", 2, on, off);', 2, None),
+    ('auto p = it.advertise("x", 2, on, off, ros::VoidPtr(), true);', 2, "transient_local"),
+    ('auto p = nh.advertise<std_msgs::Bool>("x", 2, on, off, ros::VoidConstPtr(), latch);', 2, "unknown"),
+    ('auto p = nh.advertise<std_msgs::Bool>("x", 2, boost::bind(&go, _1), off, ros::VoidConstPtr(), false);', 2, None),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("body", "depth", "durability"), QUEUES, ids=[row[0] for row in QUEUES])
+def test_a_queue_of_ros_1_and_what_comes_behind_callbacks(
+    workspace: Any, body: str, depth: int, durability: str | None
+) -> None:
+    """The flag of a latch is the last argument of each overload; a callback before it is none."""
+    taken = f"image_transport::ImageTransport it(nh); bool latch = nh.hasParam(name); {body}"
+    found = workspace.package({"src/demo.cpp": CPP1.format(body=taken)}, 1).interfaces()
+    assert {(one.qos.depth, one.qos.durability) for one in found if one.qos is not None} == {(depth, durability)}
+
+
 def test_a_map_declares_a_parameter_for_each_entry(workspace: Any) -> None:
     """`declare_parameters(namespace, map)` declares each key below the namespace, with its value."""
     body = 'std::map<std::string, int64_t> axes{{"x", 5L}, {"yaw", -1L}}; declare_parameters("axis", axes);'
@@ -189,6 +215,7 @@ NOT_FORMS = [
     ("cpp2", 'widget_->subscribe("click");'),
     ("cpp2", 'logger.publish("x");'),
     ("cpp1", 'config.param("x", 1);'),
+    ("cpp1", 'mine::Publisher p; p.advertise(nh, "cloud", 4);'),
     ("py2", "self.create_timer(0.1, self.on)"),
     ("py1", "thing.subscribe('x')"),
 ]

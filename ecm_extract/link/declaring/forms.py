@@ -38,7 +38,8 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         qos: position of the QoS profile or queue size. default: position of a parameter's default.
         fallback: the default holds only for a parameter that the node does not declare, and is nobody else's.
         out: position of the variable that receives a parameter's value.
-        receiver: last names of the classes whose objects have the method; empty for any.
+        receiver: last names of the classes whose objects have the method, qualified ones where others are called alike;
+            empty for any.
         below: the member of its object that stands before the name, with a point between them.
         gives: what the method returns, as a qualified class name: a sign of the class of an object of unknown type.
         node: position of the node or node handle when it is an argument.

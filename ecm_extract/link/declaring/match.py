@@ -60,7 +60,11 @@ class Matcher:
         if call.receiver is not None:
             return False
         if form.match == "function":
-            return _qualified(call.path, form.callee) or self._is_brought(form, call, env)
+            return (
+                _qualified(call.path, form.callee)
+                or self._is_brought(form, call, env)
+                or (_is_within(call, form.callee) and self.folder.objects.callee(call, env) is None)
+            )
         return self._constructs(form, call, env) and not self._is_of_tree(form, call, env)
 
     def _named(self, form: Form, call: Invocation) -> bool:
@@ -105,8 +109,7 @@ class Matcher:
             return self.signs.show(form, call, env)
         bare = plain(pointee(written))
         target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
-        last = last_name(plain(pointee(target)))
-        return last in form.receiver or any(last == entry + "Ptr" for entry in form.receiver)
+        return any(_is_of(plain(pointee(target)), entry) for entry in form.receiver)
 
     def _derives(self, form: Form, call: Invocation) -> bool:
         """Whether the class of the object at hand derives from one of the row, and has no such method itself."""
@@ -132,6 +135,8 @@ class Matcher:
     def _constructs(self, form: Form, call: Invocation, env: Env) -> bool:
         path = call.path
         if _qualified(path, form.callee) or ("::" not in form.callee and "." not in form.callee):
+            return True
+        if _is_within(call, form.callee):
             return True
         if "::" in path or call.func.file.language == "python":
             return False
@@ -207,11 +212,34 @@ def name_argument(form: Form, call: Invocation) -> Expr | None:
     return None if isinstance(found, Number | Constant | Lambda) else found
 
 
+def latch_argument(form: Form, call: Invocation) -> Expr | None:
+    """Return the flag that keeps the last message: in C++ the last argument of its overload, behind callbacks."""
+    positioned = form.latch
+    if call.func.file.language != "python":
+        last = f"arg:{len(placed_arguments(call)) - 1}"
+        positioned = last if last in form.latch.split("|") else ""
+    return next((flag for flag in positions(positioned, call) if not is_callback(flag)), None)
+
+
 def is_callback(expr: Expr) -> bool:
     """Tell whether an argument is a function: some overloads take the profile after it."""
     if isinstance(expr, Call) and isinstance(expr.callee, Name):
         return last_name(expr.callee.id) in {"bind", "bind_front", "mem_fn"}
     return isinstance(expr, Lambda) or (isinstance(expr, Op) and expr.op == "&")
+
+
+def _is_of(written: str, entry: str) -> bool:
+    """Tell whether a class, or a pointer to it by the name that libraries give such, is the one of a row."""
+    if "::" in entry:
+        return _qualified(written, entry)
+    return last_name(written) in {entry, entry + "Ptr"}
+
+
+def _is_within(call: Invocation, callee: str) -> bool:
+    """Tell whether a call stands in a namespace of a library, whose names the tree then has without a prefix."""
+    namespace = callee.removesuffix(f"::{call.path}")
+    scope = call.func.scope
+    return namespace != callee and (scope == namespace or scope.startswith(f"{namespace}::"))
 
 
 def _qualified(path: str, callee: str) -> bool:

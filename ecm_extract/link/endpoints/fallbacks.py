@@ -11,6 +11,7 @@ from typing import Final
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 from ecm_extract.infer.held import Held
+from ecm_extract.link.code.own import own_name
 from ecm_extract.link.declaring.handed_instead import handed_instead
 from ecm_extract.link.declaring.instead import assigned_instead, goes_on, is_denied, is_made_over, returned_instead
 from ecm_extract.link.declaring.match import positions
@@ -62,16 +63,28 @@ def _held_before(out: Name | Member, env: Env, folder: Folder) -> Expr | None:
     own = (
         held for held in folder.origins.of(out, env) if held.env is not None and not _is_stated(held, out, env, folder)
     )
-    return out if all(_is_first(held, env) for held in own) else None
+    begun = _is_begun(out, env, folder)
+    return out if all(_is_first(held, env, begun=begun) for held in own) else None
 
 
-def _is_first(held: Held, env: Env) -> bool:
+def _is_begun(out: Name | Member, env: Env, folder: Folder) -> bool:
+    """Tell whether the class of the object at hand states what a member begins with."""
+    cls = env.this or env.func.cls
+    lineage = folder.program.ancestry(cls) if cls is not None else ()
+    fields = (each.fields.get(own_name(out)) for each in lineage)
+    return any(field is not None and field.default is not None for field in fields)
+
+
+def _is_first(held: Held, env: Env, *, begun: bool) -> bool:
     """Tell whether a variable was given something by a constructor, or by no more than reads of the function at hand.
 
-    What the function gives it otherwise is not before the read, or not on every way.
+    What the function gives it otherwise is not before the read, or not on every way. Of a constructor that reads itself
+    it is behind the read, so nothing that counts where the class states what the variable begins with.
     """
     func = held.env.func if held.env is not None else None
-    return func is not None and (func.is_constructor or (func is env.func and held.how == "read"))
+    if func is None or func is not env.func:
+        return func is not None and func.is_constructor
+    return held.how == "read" or (begun and func.is_constructor)
 
 
 def _is_left_by_callers(key: str, env: Env, folder: Folder) -> bool:
