@@ -44,6 +44,7 @@ from ecm_extract.link.folding.fold_texts import TextFolder
 from ecm_extract.link.folding.iterators import Iterators
 from ecm_extract.link.folding.kept_objects import KeptObjects
 from ecm_extract.link.folding.list_changes import ListChanges
+from ecm_extract.link.folding.list_defaults import ListDefaults
 from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.module_objects import ModuleObjects
 from ecm_extract.link.folding.optionals import OptionalFolder
@@ -134,6 +135,7 @@ class Folder:
         self.spreading = Spreading(self)
         self.optionals = OptionalFolder(self)
         self.surely_made = SurelyMade(self)
+        self.list_defaults = ListDefaults(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)
         self.numbers = TypedNumbers(self)

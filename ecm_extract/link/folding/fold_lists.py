@@ -53,7 +53,7 @@ class ListFolder:
         if items is not None:
             return self._folded(items, env) or (unknown("item"),)
         some, _ = self._some(expr, env)
-        rest = self.open.element(expr, env)
+        rest = self.open.element(expr, env, whole=True)
         return alternatives((*self._folded(some, env), *rest)) if some else rest
 
     def _folded(self, items: Iterable[Bound], env: Env) -> tuple[Value, ...]:

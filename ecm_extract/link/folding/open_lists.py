@@ -23,10 +23,16 @@ class OpenLists:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
 
-    def element(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
-        """Return what an element of such a list is: as long as nobody shows more, `{item}`."""
+    def element(self, expr: Expr | None, env: Env, whole: bool = False) -> tuple[Value, ...]:
+        """Return what an element of such a list is: as long as nobody shows more, `{item}`.
+
+        `whole`: each element is asked for, and so each that a parameter has as long as nobody sets it.
+        """
         redefined = self._redefined(expr, env)
         item = parameter(redefined, made=True) if redefined else unknown("item")
+        begun = self.folder.list_defaults.elements(expr, env) if whole else ()
+        if begun:
+            return begun
         values = self.folder.fold(expr, env) if isinstance(expr, Name | Member) else ()
         names = [value.parameter for value in values if value.parameter]
         set_by_launch = tuple([value for name in names for value in set_by(name, (item,))])
