@@ -17,6 +17,7 @@ from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.folding.fold_closures import ClosureFolder
+from ecm_extract.link.folding.handed_objects import HandedObjects
 from ecm_extract.link.folding.names_of_nodes import told_by_node
 from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.running.arguments import bind
@@ -47,6 +48,7 @@ class ReturnFolder:
         self.folder = folder
         self.closures = ClosureFolder(folder)
         self.raises = Raises(folder)
+        self.handed = HandedObjects(folder)
 
     def values(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """Return what a call can give: of each return that is reached, and of what may be called instead."""
@@ -59,6 +61,8 @@ class ReturnFolder:
         values = [value for expr, place in found for value in self.folder.fold(expr, place)]
         if call.receiver is not None and not is_own(call.receiver):
             values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
+            if self._made(callee, call, env) is None:
+                values = [self.handed.known_by_callers(value, call.receiver, env) for value in values]
         other = self.folder.redefined.rest(callee, call, env)
         open_ = self._has_given_fields(callee, call, env) or (
             any(value.confidence != "pattern" for value in values) and self._is_of_touched(callee, call, env)
@@ -141,7 +145,7 @@ class ReturnFolder:
         led = self.folder.lasting_states.led(callee, call, env)
         if callee.cls is None and "lambda" not in callee.fact.traits:
             return Env(callee, 0, args, depth=env.depth + 1, outer=outer, call=led)
-        made = self._made(call, env)
+        made = self._made(callee, call, env)
         this = _class_of(made, callee, call, env)
         written = made is not None or self.folder.object_fields.reads(callee, this)
         caller = THIS if is_own(call.receiver) else call.receiver if written else None
@@ -151,13 +155,16 @@ class ReturnFolder:
 
     def object_at(self, callee: Func, call: Invocation, env: Env) -> Cls | None:
         """Return the class of the object that a called method has at hand."""
-        return _class_of(self._made(call, env), callee, call, env)
+        return _class_of(self._made(callee, call, env), callee, call, env)
 
-    def _made(self, call: Invocation, env: Env) -> Instance | None:
+    def _made(self, callee: Func, call: Invocation, env: Env) -> Instance | None:
         """How the object is made that a method is called on, where that is known."""
         if is_own(call.receiver):
             return env.made
-        return self.folder.states.instance(call.receiver, env) if call.receiver is not None else None
+        if call.receiver is None:
+            return None
+        made = self.folder.states.instance(call.receiver, env)
+        return made or self.handed.instance(call.receiver, callee, env)
 
 
 def _class_of(made: Instance | None, callee: Func, call: Invocation, env: Env) -> Cls | None:
