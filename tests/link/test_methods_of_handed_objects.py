@@ -53,6 +53,7 @@ UNTOLD = [
     {"before": "if (node_) { part = outside(); }"},
     {"inside": "if (node_) { part = outside(); }"},
     {"access": "public"},
+    {"more": 'std::string name() const override { return "x" + name_; }'},
     {"more": "void rename(const std::string & to) { name_ = to; }"},
 ]
 
@@ -79,3 +80,9 @@ def test_what_may_be_another_object_or_another_name_by_then_is_not_proved(
     found = _declared(workspace, changed)
     assert found
     assert {entry.confidence for entry in found} <= {"pattern", "one_of"}
+
+
+def test_a_method_that_another_one_overrides_tells_nothing(workspace: Any) -> None:
+    """Which of them runs depends on the object: the one of the base would be a name that no run makes."""
+    found = _declared(workspace, {"more": 'std::string name() const override { return "x" + name_; }'})
+    assert not {"a", "b"} & {entry.name for entry in found}

@@ -39,7 +39,14 @@ class HandedObjects:
             expr, place = bound.expr, bound.env
         if place is env or not (self._asks_kept(callee) and self._is_as_made(expr, place)):
             return None
-        return self.folder.makers.of(expr, place)
+        made = self.folder.makers.of(expr, place)
+        return made if made is not None and not self._has_its_own(made.cls, callee) else None
+
+    def _has_its_own(self, cls: Cls, callee: Func) -> bool:
+        """Whether a class has another method by the name of one of its base, which may run in its place."""
+        lineage = self.folder.program.ancestry(cls)
+        named = (each for own in lineage for each in own.methods if each.fact.name == callee.fact.name)
+        return any(each is not callee and not _declares(each, callee) for each in named)
 
     def _is_as_made(self, expr: Expr, place: Env) -> bool:
         """Whether a variable still has what it was given last: nobody was handed it who may have changed that."""
@@ -67,3 +74,8 @@ class HandedObjects:
 def _is_kept(name: str, cls: Cls) -> bool:
     field = cls.fields.get(name)
     return field is not None and by_value(field.type) and bool(_KEPT & set(field.traits))
+
+
+def _declares(method: Func, other: Func) -> bool:
+    """Whether a method is no more than what the class says of another one, whose body stands outside of it."""
+    return method.cls is other.cls and "declaration" in method.fact.traits
