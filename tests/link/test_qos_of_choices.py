@@ -135,3 +135,21 @@ int main(int argc, char ** argv) {{ ros::init(argc, argv, "d"); D d(argc); ros::
 """
     found = workspace.package({"src/d.cpp": text}, ros=1)
     assert found.only("publisher").qos.durability == expected
+
+
+def test_a_flag_that_is_handed_on_by_its_name_in_python(workspace: Any) -> None:
+    """Keywords are arguments, too."""
+    text = """#!/usr/bin/env python3
+import rospy
+from std_msgs.msg import String
+class D:
+    def __init__(self):
+        self.begin(True, 7)
+    def begin(self, latched, size):
+        self.pub = rospy.Publisher('a', String, queue_size=size, latch=latched)
+if __name__ == '__main__':
+    rospy.init_node('d')
+    D()
+"""
+    qos = workspace.package({"scripts/d.py": text}, ros=1).only("publisher").qos
+    assert (qos.depth, qos.durability) == (7, "transient_local")

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from ecm_parsers.source.expr import Expr, Op
 from ecm_parsers.source.flow import Branch, Loop, Switch, steps
 
+from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import expressions, names_in
 from ecm_extract.link.declaring.site import Site
@@ -16,15 +17,19 @@ from ecm_extract.link.running.values import Value, is_proved
 
 
 def deciding(site: Site, names: Sequence[Value], folder: Folder) -> frozenset[str]:
-    """Return the parameters of the outermost function that decide; none of which a caller leaves the value open."""
+    """Return the parameters of the outermost function that decide; none where a caller leaves one of them open."""
     func = site.root
     if not func.given or func.is_constructor:
         return frozenset()
     streams = site.form.row.streams
     tests = _within(func) if len(names) > 1 or streams else _on_the_way(site, folder)
-    given = site.call.args if streams and site.call.func is func else ()  # whether it is latched, and how much it keeps
+    given = _handed(site.call) if streams and site.call.func is func else ()  # whether it is latched, how much it keeps
     asked = func.given & {name for each in (*tests, *given) for name in names_in(each)}
     return asked if asked and _are_settled(func, asked, folder) else frozenset()
+
+
+def _handed(call: Invocation) -> tuple[Expr, ...]:
+    return (*call.args, *(value for _, value in call.keywords))
 
 
 def _on_the_way(site: Site, folder: Folder) -> Iterator[Expr]:

@@ -14,7 +14,6 @@ from ecm_extract.shipped import shipped_names
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
-
 _UNWRAPPING: Final = shipped_names("link/code/library_values.toml", "parameter_values")
 
 
@@ -37,11 +36,11 @@ class ListDefaults:
         if read is None or self.folder.reads.is_given_instead(read.name, self._owners(env)):
             return ()
         default = self._declared(read.name, env) or read.default
-        items = (
-            self.folder.lists.items(default.expr, default.env.deeper(env.depth + 1)) if default is not None else None
-        )
-        values = lowered([value for item in items or () for value in self.folder.lists.fold(item, env)], "default")
-        return set_by(read.name, values)
+        if default is None:
+            return ()
+        items = self.folder.lists.items(default.expr, default.env.deeper(env.depth + 1)) or ()
+        values = [value for item in items for value in self.folder.lists.fold(item, env)]
+        return set_by(read.name, lowered(values, "default")) if all(value.text for value in values) else ()
 
     def _owners(self, env: Env) -> tuple[Cls | File, ...]:
         cls = env.this or env.func.cls
