@@ -25,7 +25,7 @@ def deciding(site: Site, names: Sequence[Value], folder: Folder) -> frozenset[st
     tests = _within(func) if len(names) > 1 or streams else _on_the_way(site, folder)
     given = _handed(site.call) if streams and site.call.func is func else ()  # whether it is latched, how much it keeps
     asked = func.given & {name for each in (*tests, *given) for name in names_in(each)}
-    return asked if asked and _are_settled(func, asked, folder) else frozenset()
+    return asked if asked and _is_inner(func, folder) and _are_settled(func, asked, folder) else frozenset()
 
 
 def _handed(call: Invocation) -> tuple[Expr, ...]:
@@ -50,6 +50,17 @@ def _within(func: Func) -> Iterator[Expr]:
             yield from (test for case in step.cases for test in case.tests)
     for statement in func.fact.body:
         yield from (expr.operands[0] for expr, _ in expressions(statement) if isinstance(expr, Op) and expr.op == "?:")
+
+
+def _is_inner(func: Func, folder: Folder) -> bool:
+    """Whether no other package calls a method: it is private, or no file but its own sees the class."""
+    cls, program = func.cls, folder.program
+    if cls is None:
+        return False
+    traits = {trait for each in cls.methods if each.fact.name == func.fact.name for trait in each.fact.traits}
+    if traits & {"private", "protected"}:
+        return True
+    return not any(program.sees(file, cls.file) for file in program.files if file not in {cls.file, func.file})
 
 
 def _are_settled(func: Func, asked: frozenset[str], folder: Folder) -> bool:

@@ -47,10 +47,14 @@ class ParameterFolder:
         owner = (env.this or env.func.cls) if env.func is not None else None
         return self.folder.program.ancestry(owner) if owner is not None else ()
 
+    def owners(self, env: Env) -> tuple[Cls | File, ...]:
+        """Return whose declarations count at a place: the class at hand, its bases, the file."""
+        return (*self._lineage(env), env.func.file)
+
     def parameter_value(self, name: Expr, default: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the value of a ROS parameter: its default where the call or a declaration has one."""
         names = self.folder.fold(name, env)
-        owners: tuple[Cls | File, ...] = (*self._lineage(env), env.func.file)
+        owners = self.owners(env)
         known = self.folder.reads.default(names[0].text, env.func.file.package, owners)
         stated = None if self.folder.reads.is_given_instead(names[0].text, owners) else default
         values = self.default_value(names[0].text, known, stated, env)

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
-from ecm_extract.link.code.units import Cls, File
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, lowered, set_by
 from ecm_extract.shipped import shipped_names
@@ -15,6 +14,9 @@ if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
 _UNWRAPPING: Final = shipped_names("link/code/library_values.toml", "parameter_values")
+
+_CHANGED: Final = frozenset({"changed", "stored", "out", "handed", "after", "lost"})
+"""What becomes of a list that is not, or need not be, what it was read as."""
 
 
 class Read(NamedTuple):
@@ -33,7 +35,7 @@ class ListDefaults:
     def elements(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the elements of the default of the parameter that a list is; none where not all are known."""
         read = self._read(expr, env) if expr is not None else None
-        if read is None or self.folder.reads.is_given_instead(read.name, self._owners(env)):
+        if read is None or self.folder.reads.is_given_instead(read.name, self.folder.parameters.owners(env)):
             return ()
         default = self._declared(read.name, env) or read.default
         if default is None:
@@ -42,17 +44,15 @@ class ListDefaults:
         values = [value for item in items for value in self.folder.lists.fold(item, env)]
         return set_by(read.name, lowered(values, "default")) if all(value.text for value in values) else ()
 
-    def _owners(self, env: Env) -> tuple[Cls | File, ...]:
-        cls = env.this or env.func.cls
-        return (*(self.folder.program.ancestry(cls) if cls is not None else ()), env.func.file)
-
     def _declared(self, name: str, env: Env) -> Bound | None:
         """The default that the class or the file at hand declares."""
-        found = self.folder.reads.default(name, env.func.file.package, self._owners(env))
+        found = self.folder.reads.default(name, env.func.file.package, self.folder.parameters.owners(env))
         return Bound(*found) if isinstance(found, tuple) else None
 
     def _read(self, expr: Expr, env: Env) -> Read | None:
-        """The parameter that a list is: what a variable is read into, or what one call gives."""
+        """The parameter that a list is: what a variable is read into and nobody changed, or what one call gives."""
+        if any(held.how in _CHANGED for way in self.folder.flow.ways(expr, env) for held in way):
+            return None
         names = {value.parameter for value in self.folder.fold(expr, env) if value.parameter}
         made = self.folder.origins.makers(expr, env) if isinstance(expr, Name | Member) else [Bound(expr, env)]
         found = self._of_call(made[0]) if made and len(made) == 1 else None
