@@ -76,6 +76,20 @@ def test_parameters_that_are_read_together(workspace: Any, asked: str, default: 
     assert found["/demo/p"] == default
 
 
+READ_TWICE = [("plain_", None), ("initialised_", 3), ("member_", 2)]
+
+
+@pytest.mark.parametrize(("member", "default"), READ_TWICE, ids=[row[0] for row in READ_TWICE])
+def test_what_a_later_read_gives_a_member_is_no_default_of_the_first(
+    workspace: Any, member: str, default: object
+) -> None:
+    """`getParam("p", m_); param("q", m_, 4);`: before the first read the member has what the class gives it."""
+    body = f'pnh_.getParam("p", {member}); pnh_.param("q", {member}, 4);'
+    package = workspace.package({"src/d.cpp": TEXT.format(body=body)}, ros=1)
+    found = {entry.name: entry.default for entry in package.interfaces() if entry.role == "parameter"}
+    assert found == {"/demo/p": default, "/demo/q": 4}
+
+
 HOSTED = """
 #include <ros/ros.h>
 class Demo : public {base} {{

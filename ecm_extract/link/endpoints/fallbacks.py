@@ -79,12 +79,15 @@ def _is_first(held: Held, env: Env, *, begun: bool) -> bool:
     """Tell whether a variable was given something by a constructor, or by no more than reads of the function at hand.
 
     What the function gives it otherwise is not before the read, or not on every way. Of a constructor that reads itself
-    it is behind the read, so nothing that counts where the class states what the variable begins with.
+    it is behind the read, so nothing that counts where the class states what the variable begins with; nor do its
+    later reads then, which are all that there is of a member that nobody gives anything.
     """
     func = held.env.func if held.env is not None else None
     if func is None or func is not env.func:
         return func is not None and func.is_constructor
-    return held.how == "read" or (begun and func.is_constructor)
+    if begun and func.is_constructor:
+        return True
+    return held.how == "read" and not (func.is_constructor and held.at > env.at)
 
 
 def _is_left_by_callers(key: str, env: Env, folder: Folder) -> bool:

@@ -35,6 +35,10 @@ class ChangedOutside:
             known = self._known[name, cls] = any(found)
         return known
 
+    def may_be_changed(self, name: str, cls: Cls) -> bool:
+        """Tell whether a function changes such a member of an object that is of a class, or of which that is open."""
+        return any(self._may_own(func, owner, cls) for func, owner in self._changing.get(name, ()))
+
     def is_handed_out(self, expr: Expr, env: Env) -> bool:
         """Tell whether a field of Python lies in an object that a function was handed which changes it."""
         if env.func.file.language != "python" or not isinstance(expr, Member):
@@ -44,10 +48,16 @@ class ChangedOutside:
 
     def _owns(self, func: Func, owner: Expr, cls: Cls) -> bool:
         """Whether an object that a function changes is of a class, or of one that derives from it."""
+        return self._class_of(func, owner) is not None and self._may_own(func, owner, cls)
+
+    def _may_own(self, func: Func, owner: Expr, cls: Cls) -> bool:
         if func.file.language != cls.file.language:
             return False
-        of = self.folder.objects.class_of(owner, Env(func, len(func.fact.body)))
-        return of is not None and (cls in self.folder.program.ancestry(of) or of in self.folder.program.ancestry(cls))
+        of, program = self._class_of(func, owner), self.folder.program
+        return of is None or cls in program.ancestry(of) or of in program.ancestry(cls)
+
+    def _class_of(self, func: Func, owner: Expr) -> Cls | None:
+        return self.folder.objects.class_of(owner, Env(func, len(func.fact.body)))
 
     @cached_property
     def _changing(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:

@@ -1,7 +1,7 @@
 """Statements that no run gets to: behind what leaves the function, and under conditions that nobody can meet.
 
-Only what the source fixes counts: literals, constants that nobody assigns, and variables that hold nothing else. Values
-of members and of variables that others may assign prove nothing here, however well they are known.
+Only what the source fixes counts: literals, constants that nobody assigns, variables that hold nothing else, and
+members that nobody gives anything. Values of what others may assign prove nothing here, however well they are known.
 """
 
 from __future__ import annotations
@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Constant, Expr, Member, Name, Number, Op, Text
+from ecm_parsers.source.expr import THIS, Constant, Expr, Member, Name, Number, Op, Text
 from ecm_parsers.source.flow import Block, Branch, Leave, Loop, Step, blocks, statements, steps
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.never_set import NeverSet
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -29,6 +30,7 @@ class DeadCode:
         self.folder = folder
         self._dead: dict[Func, Set[int]] = {}
         self._assigned: Set[str] | None = None
+        self._never_set = NeverSet(folder)
 
     def has(self, func: Func, at: int) -> bool:
         """Tell whether it is proved that no run of a function gets to a statement."""
@@ -85,12 +87,16 @@ class DeadCode:
             return True
         if isinstance(expr, Op):
             return bool(expr.operands) and all(self._is_fixed(part, func) for part in expr.operands)
+        if isinstance(expr, Member):
+            return expr.base == THIS and self._never_set.has(expr.name, func)
         return isinstance(expr, Name) and self._is_constant(expr.id, func)
 
     def _is_constant(self, name: str, func: Func) -> bool:
         """Whether a name means a constant of C++, or a variable of a module that nobody gives anything else."""
         if name in self.folder.flow.effects(func).own:
             return False
+        if self._never_set.has(name, func):
+            return True
         if func.file.language == "cpp":
             found = self.folder.scope.constant(name, Env(func))
             traits = found[0].traits if found is not None else ()

@@ -22,9 +22,6 @@ from ecm_extract.link.running.env import Env
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
-_CUT = 80
-"""Length at which the text of an expression that is not read is cut (`expr.Opaque`)."""
-
 
 def leaves_members(call: Invocation, env: Env, folder: Folder) -> bool:
     """Tell whether a call that is given the object at hand runs a function that cannot change its members."""
@@ -84,7 +81,7 @@ class _Asked:
 
     def _escapes(self, expr: Expr) -> bool:
         if isinstance(expr, Opaque):
-            return self.name in expr.text or len(expr.text) >= _CUT
+            return expr.may_name(self.name)
         if isinstance(expr, Name):
             return expr.id == self.name
         if isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.base == Name(self.name):

@@ -10,6 +10,9 @@ from typing import Final, TypeAlias
 
 import msgspec
 
+_CUT: Final = 80
+"""Length at which the text of an expression that is not read is cut."""
+
 
 class _Node(msgspec.Struct, frozen=True, array_like=True, tag=True, gc=False):
     """Base of all expressions; the tag is the class name."""
@@ -123,6 +126,10 @@ class Opaque(_Node, frozen=True):
     """Source text that means nothing to the linker, cut at 80 characters."""
 
     text: str
+
+    def may_name(self, name: str) -> bool:
+        """Tell whether a name stands in the text, or may stand where it is cut."""
+        return name in self.text or len(self.text) >= _CUT
 
 
 Expr: TypeAlias = (
