@@ -114,7 +114,8 @@ class Giving:
             if callee.name == _RAW and not call.args:
                 yield callee.base
             if callee.name in self.frame.effects.calls.changing:
-                yield from (way for arg in call.args for way in self._ways(arg))
+                kept = self.frame.judge.kept_arguments(call, env)
+                yield from (way for each in kept for way in self._ways(call.args[each.at]))
                 return
         path = callee.id if isinstance(callee, Name) else ""
         if path in _REFERRING:

@@ -56,6 +56,11 @@ ROWS = [
     ("a default that a constructor leaves", "Own a; pub(a.n);", OPEN),
     ("a copy as the class makes it", 'Own a("x"); Own b = a; pub(b.n);', "x_copy"),
     ("an argument as the class copies it", 'Own a("x"); pub(name_of(a));', "x_copy"),
+    ("a text that a list copies", 'std::string s = "a"; std::vector<std::string> v; v.push_back(s); report(); pub(s);', "a"),
+    ("a text that a set copies", 'std::string s = "a"; std::set<std::string> v; v.insert(s); report(); pub(s);', "a"),
+    ("a key that a table copies", 'std::string s = "a"; std::map<std::string, int> v; v.emplace(s, 1); report(); pub(s);', "a"),
+    ("a text that a text copies", 'std::string s = "a", t; t.append(s); report(); pub(s);', "a"),
+    ("a text that a list refers to", 'std::string s = "a"; std::vector<std::reference_wrapper<std::string>> v; v.push_back(s); v[0].get() = "w"; pub(s);', OPEN),
     ("an element as the class copies it", 'Own a("x"); std::vector<Own> v; v.push_back(a); pub(v[0].n);', "x_copy"),
     ("what a class makes of an assignment", 'Given a; Given b; b = a; pub(b.n);', OPEN),
 ]  # fmt: skip

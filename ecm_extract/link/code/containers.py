@@ -33,6 +33,15 @@ def element_type(written: str) -> str:
     return held[1] if name in _OF_SECOND and len(held) > 1 else ""
 
 
+def parts_of_elements(written: str) -> tuple[str, ...]:
+    """Types of what the elements of a container consist of: its keys, too, of a map. Empty for anything else."""
+    text = written.strip().removeprefix("const ").rstrip("& ")
+    name, held = last_name(plain(text)), template_arguments(text)
+    if name in _OF_FIRST:
+        return held[:1]
+    return held[:2] if name in _OF_SECOND and len(held) > 1 else ()
+
+
 def is_map(written: str) -> bool:
     """Tell whether a type, as it is written, is a table with one value for each key."""
     return last_name(plain(written)) in _MAPS

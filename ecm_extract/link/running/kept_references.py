@@ -11,9 +11,11 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.effects import calls_of
 from ecm_extract.infer.judge import Kept
 from ecm_extract.infer.pointing import is_address
+from ecm_extract.link.code.containers import parts_of_elements
+from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.own import own_name
 from ecm_extract.link.code.pointed import pointed
-from ecm_extract.link.code.spelling import pointee
+from ecm_extract.link.code.spelling import by_value, last_name, plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import Env
 
@@ -34,6 +36,8 @@ class KeptReferences:
 
     def of(self, call: Call, env: Env) -> Sequence[Kept]:
         """Return the arguments of a call that are kept so."""
+        if isinstance(call.callee, Member) and call.callee.name in _KEEPING:
+            return () if self._copies(call.callee.base, env) else [Kept(at, True) for at in range(len(call.args))]
         made = pointed(call) or (call.callee.id if isinstance(call.callee, Name) else "")
         cls = self.folder.objects.class_written(made, env) if made else None
         if cls is None:
@@ -44,6 +48,12 @@ class KeptReferences:
             return self._by_function(maker, call)
         fields = enumerate(cls.fact.fields[: len(call.args)])
         return [Kept(at, self._changes(field.name, cls)) for at, field in fields if _refers(field.type)]
+
+    def _copies(self, container: Expr, env: Env) -> bool:
+        """Whether it is a text, or holds texts and numbers themselves, so that what is put into it stays alone."""
+        written = self.folder.objects.type_of(container, env)
+        parts = parts_of_elements(written)
+        return all(map(_is_itself, parts)) if parts else _is_itself(written)
 
     def _by_function(self, func: Func, call: Call) -> Sequence[Kept]:
         given = func.fact.params[: len(call.args)]  # others have their defaults
@@ -108,6 +118,11 @@ class KeptReferences:
 def _refers(written: str) -> bool:
     """Whether what a type is of lies elsewhere: a reference or a pointer."""
     return written.endswith(("&", "*")) or pointee(written) != written.removeprefix("const ").strip()
+
+
+def _is_itself(written: str) -> bool:
+    """Whether an object of a type is a text or a number, and no view of one."""
+    return by_value(written) and bool(kind_of_type(written)) and last_name(plain(written)) != "string_view"
 
 
 def _leads_out(written: str) -> bool:
