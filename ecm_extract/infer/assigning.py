@@ -38,6 +38,8 @@ class Assigning:
     def assign(self, statement: Statement, at: int, env: Env, state: State) -> State:
         """Return the state after a statement has given its target a value."""
         target, value = target_of(statement), statement.value
+        if statement.kind == "let":
+            state = self._declared(target, state)
         if statement.kind == "let" and value is None:
             return self.bind(target, Held("made", "", None, env, at), state)
         if statement.kind == "let" and statement.type.endswith("&"):
@@ -52,6 +54,12 @@ class Assigning:
         self._refer_by_pointer(statement, state)
         state = self.bind(target, Held("value", "", value, env, at), state)
         return self._from_before(target, state) if statement.kept else state
+
+    def _declared(self, target: Expr | None, state: State) -> State:
+        """The state in which C++ has new variables, whatever others of their names held."""
+        for key in self.frame.outline.bound_keys(target) if not self.frame.python else ():
+            state = self.memory.parts_begun(key, state)
+        return state
 
     def _is_copied(self, target: Expr | None) -> bool:
         """Whether who moves from a variable of C++ only copies it: a number, a pointer, a constant."""
@@ -246,10 +254,12 @@ class Assigning:
 
     def element(self, each: Statement, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to any element."""
+        state = self._declared(each.target, state)
         return self.bind(each.target, Held("each", "", each.value, self.frame.place(state), at), state)
 
     def known_element(self, target: Expr | None, item: Bound, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to an element that is known."""
+        state = self._declared(target, state)
         own = item.env.func is self.frame.env.func  # the place of a statement means something in its function only
         return self.bind(target, Held("value", "", item.expr, item.env, at if own else -1), state)
 

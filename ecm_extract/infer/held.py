@@ -94,7 +94,10 @@ class Part(NamedTuple):
 
 
 class Layers(Mapping[str, tuple[Held, ...]]):
-    """What variables hold: few changes over many, so that a state costs no more than what it changes."""
+    """What variables hold: few changes over many, so that a state costs no more than what it changes.
+
+    A variable without a thing among the changes is one that is not held any more.
+    """
 
     __slots__ = ("_base", "_over")
 
@@ -107,7 +110,9 @@ class Layers(Mapping[str, tuple[Held, ...]]):
     def having(self, changes: Mapping[str, tuple[Held, ...]]) -> Layers:
         """Return the same with other things in some variables."""
         over = {**self._over, **changes}
-        return Layers(self._base, over) if len(over) <= MAX_LAYER else Layers({**self._base, **over})
+        if len(over) <= MAX_LAYER:
+            return Layers(self._base, over)
+        return Layers({name: helds for name, helds in {**self._base, **over}.items() if helds})
 
     def apart(self, other: Layers) -> Iterable[str]:
         """Return the variables that may hold something else in another one: what lies beneath both is the same."""
@@ -117,17 +122,24 @@ class Layers(Mapping[str, tuple[Held, ...]]):
 
     def __getitem__(self, name: str) -> tuple[Held, ...]:
         found = self._over.get(name)
-        return found if found is not None else self._base[name]
+        if found is None:
+            return self._base[name]
+        if not found:
+            raise KeyError(name)
+        return found
 
     def get(self, name: str, default: Any = None) -> Any:
         """Return what a variable holds."""
         found = self._over.get(name)
-        return found if found is not None else self._base.get(name, default)
+        return self._base.get(name, default) if found is None else found or default
 
     def __iter__(self) -> Iterator[str]:
-        yield from self._base
-        for name in self._over:
-            if name not in self._base:
+        over = self._over
+        for name in self._base:
+            if over.get(name, True):
+                yield name
+        for name, helds in over.items():
+            if helds and name not in self._base:
                 yield name
 
     def __len__(self) -> int:
@@ -178,6 +190,10 @@ class State:
         if not changes:
             return self
         return State(self.holds.having(changes), self.path, self.route, self.called)
+
+    def without(self, names: Iterable[str]) -> State:
+        """The same state in which some variables are as if nobody had given them anything."""
+        return self.having(dict.fromkeys(names, ()))
 
     def on(self, turn: Turn) -> State:
         """The same state on one side of a branch."""

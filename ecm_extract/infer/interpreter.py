@@ -101,8 +101,9 @@ class Interpreter:
         places = [step.each if isinstance(step, Loop) else step for step in block]
         steps = (self.frame.body[step] for step in places if isinstance(step, int) and step >= 0)
         lets = (entry for entry in steps if entry.kind in {"let", "each"})
-        hidden = {key for entry in lets for key in self.frame.outline.bound_keys(entry.target)}
-        return state.having({key: before.holds[key] for key in hidden if key in before.holds})
+        for key in {key for entry in lets for key in self.frame.outline.bound_keys(entry.target)}:
+            state = self.memory.again(key, before, state)
+        return state
 
     def _step(self, step: Step, state: State) -> State | None:
         if isinstance(step, int):

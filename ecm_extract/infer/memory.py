@@ -81,9 +81,22 @@ class Memory:
 
     def parts_lost(self, key: str, state: State) -> State:
         """Return the state in which nobody knows the fields of a variable."""
+        return state.having({part: (Held("lost", part),) for part in self._parts(key, state)})
+
+    def parts_begun(self, key: str, state: State) -> State:
+        """Return the state in which a variable of C++ was declared, and so has no field of another one of its name."""
+        return state.without(self._parts(key, state))
+
+    def again(self, key: str, before: State, state: State) -> State:
+        """Return the state behind a block that hid a variable by another one: it holds what it held before."""
+        if key not in before.holds:
+            return state
+        known = {part: before.holds[part] for part in (key, *self._parts(key, before))}
+        return state.without(self._parts(key, state)).having(known)
+
+    def _parts(self, key: str, state: State) -> list[str]:
         dotted = f"{key}."
-        parts = {part: (Held("lost", part),) for part in state.holds if part.startswith(dotted)}
-        return state.having(parts)
+        return [part for part in state.holds if part.startswith(dotted)]
 
     def in_place(self, key: str, held: Held, state: State) -> State:
         """Change what a variable consists of, for all names of the same thing."""

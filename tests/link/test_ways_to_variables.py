@@ -61,6 +61,12 @@ ROWS = [
     ("a key that a table copies", 'std::string s = "a"; std::map<std::string, int> v; v.emplace(s, 1); report(); pub(s);', "a"),
     ("a text that a text copies", 'std::string s = "a", t; t.append(s); report(); pub(s);', "a"),
     ("a text that a list refers to", 'std::string s = "a"; std::vector<std::reference_wrapper<std::string>> v; v.push_back(s); v[0].get() = "w"; pub(s);', OPEN),
+    ("a field behind a block that hides it", 'Cfg c; c.n = "a"; { Cfg c; c.n = "b"; } pub(c.n);', "a"),
+    ("a field behind a loop that hides it", 'Cfg c; c.n = "a"; for (Cfg c : {Cfg{"b", {}}}) { report(c.n); } pub(c.n);', "a"),
+    ("a field of what hides another", 'Cfg c; c.n = "a"; { Cfg c; pub(c.n); }', "n"),
+    ("a field of a new round", 'for (int i = 0; i < 3; ++i) { Cfg c; pub(c.n); c.n = "a"; }', "n"),
+    ("a field of an element that hides", 'std::vector<Cfg> v; Cfg c; c.n = "a"; v.push_back(c); for (const auto & c : v) { pub(c.n); }', "a"),
+    ("a field that only a hidden one has", 'Cfg c; { Cfg c; c.n = "a"; } pub(c.n);', OPEN),
     ("an element as the class copies it", 'Own a("x"); std::vector<Own> v; v.push_back(a); pub(v[0].n);', "x_copy"),
     ("what a class makes of an assignment", 'Given a; Given b; b = a; pub(b.n);', OPEN),
 ]  # fmt: skip
