@@ -25,4 +25,4 @@ class ReadInto(NamedTuple):
 
 
 Reads: TypeAlias = Mapping[int, Sequence[ReadInto]]
-"""The reads of a function by their statements, without those into fields of objects."""
+"""The reads of a function by their statements."""

@@ -14,6 +14,7 @@ from ecm_extract.link.code.decorators import are_known, is_overload
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overloads import score
 from ecm_extract.link.code.own import is_own_member
+from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.folding.fold_closures import ClosureFolder
@@ -136,6 +137,17 @@ class ReturnFolder:
         callee = self.meant(call, made.env)
         found = self.returned(callee, call, made.env) if callee is not None else []
         return Bound(*found[0]) if len(found) == 1 and isinstance(found[0][0], Items | Call) else made
+
+    def given_back(self, made: Bound) -> Bound:
+        """Return the variable that a function of C++ gives back a copy of, where one is called; else what is given."""
+        if not isinstance(made.expr, Call) or made.env.func.file.language != "cpp":
+            return made
+        call = invocation_of(made.expr, made.env)
+        callee = self.meant(call, made.env)
+        if callee is None or not by_value(callee.fact.returns):
+            return made
+        found = self.returned(callee, call, made.env)
+        return Bound(*found[0]) if len(found) == 1 and isinstance(found[0][0], Name) else made
 
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""

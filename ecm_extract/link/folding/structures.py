@@ -278,7 +278,8 @@ class StructureFolder:
             return None
         if isinstance(expr, Name) and not self._is_followed(expr.id, held.expr, held.env.func):
             return None
-        return self.folder.own_copies.given(expr, Bound(held.expr, held.env), held.env.func)
+        made = self.folder.returns.given_back(Bound(held.expr, held.env))
+        return self.folder.own_copies.given(expr, made, held.env.func)
 
     def _is_followed(self, name: str, made: Expr, func: Func) -> bool:
         """Whether it is seen who changes the object in a variable."""

@@ -10,7 +10,6 @@ from ecm_parsers.source.expr import Expr
 
 from ecm_extract.infer.read_into import ReadInto, Reads
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.own import own_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import Value
@@ -66,8 +65,8 @@ class ParameterReads(Protocol):
 
 
 def read_into(written: Mapping[str, Sequence[ReadInto]]) -> Reads:
-    """Return by their statements what is read into variables, not into their fields."""
+    """Return by their statements what is read into variables, and into their fields."""
     found: dict[int, list[ReadInto]] = defaultdict(list)
-    for read in (each for reads in written.values() for each in reads if own_name(each.out)):
+    for read in (each for reads in written.values() for each in reads):
         found[read.at].append(read)
     return found
