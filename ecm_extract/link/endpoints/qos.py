@@ -335,7 +335,8 @@ class QosReader:
         return agreed([self.policies(value, place, level + 1) for value, place in found]) if found else {**UNSEEN}
 
     def _number(self, expr: Expr, env: Env) -> int | None:
-        number = real(self.folder.fold(expr, env)[0].text)
+        numbers = {real(value.text) for value in self.folder.fold(expr, env)}
+        number = numbers.pop() if len(numbers) == 1 else None  # of several nobody knows which it is
         return truncated(number) if number is not None else None
 
 

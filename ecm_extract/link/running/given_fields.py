@@ -36,8 +36,13 @@ class GivenFields:
         known = self._known.get((name, cls))
         if known is None:
             self._known[name, cls] = False  # who asks in a circle
-            known = self._known[name, cls] = self._in_braces(name, cls) or self._assigned(name, cls)
+            given = self._in_braces(name, cls) or self._assigned(name, cls)
+            known = self._known[name, cls] = given or self._is_changed(name, cls)
         return known
+
+    def _is_changed(self, name: str, cls: Cls) -> bool:
+        """Whether a function changes the field of some object in any other way: reads a parameter into it."""
+        return cls.file.language == "cpp" and self.folder.changed_outside.is_changed(name, cls)
 
     def _in_braces(self, name: str, cls: Cls) -> bool:
         names = [field.name for field in cls.fact.fields]
