@@ -16,6 +16,7 @@ from ecm_extract.infer.memory import MAX_LENGTH, Memory
 from ecm_extract.infer.run import Frame
 
 if TYPE_CHECKING:
+    from ecm_extract.link.code.units import Func
     from ecm_extract.link.running.env import Env
 
 
@@ -64,7 +65,23 @@ class Calling:
         on = [(call, self._object(call, env)) for call in calls]
         for key in dict.fromkeys(key for _, key in on if key is not None):
             state = self._on_object(key, [call for call, each in on if each == key], at, env, state)
-        return state
+        both = (self._of_receiver(call, at) for call, key in on if key == "")
+        return self.memory.lost(state, {name for key in both if key for name in self.memory.names(key, state)})
+
+    def _of_receiver(self, call: Call, at: int) -> str:
+        """The variable on which a method is called that gets the object at hand, too, and may change its own."""
+        key = self.frame.effects.key(_receiver(call))
+        if key not in self.frame.effects.own:
+            return ""
+        target = self.frame.judge.target(call, self.frame.env.func, at)
+        return "" if target is not None and self._leaves_own(target) else key
+
+    def _leaves_own(self, method: Func) -> bool:
+        """Whether a method changes no member of its object, and calls no other one that might."""
+        own = self.frame.judge.is_own
+        asked = any(own(call, method, at) for at, group in enumerate(method.calls) for call in group)
+        members = any(key.startswith(".") for key in self.frame.judge.outline(method).changes)
+        return "const" in method.fact.traits or not (asked or members)
 
     def before_rounds(self, block: Block, state: State) -> tuple[State, set[str]]:
         """Return the state before any round of a loop, and what methods that it calls change of objects."""

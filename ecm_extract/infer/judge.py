@@ -73,6 +73,9 @@ class Judge(Targets, Protocol):
     def own_calls(self, env: Env) -> Sequence[Call]:
         """Return the calls of a statement that may run functions of the tree."""
 
+    def is_own(self, call: Call, func: Func, at: int) -> bool:
+        """Tell whether a call in a statement of a function may run a function of the tree."""
+
     def reaches_object(self, call: Call, env: Env) -> bool:
         """Tell whether a call of a function of the tree may run a method of the object at hand."""
 

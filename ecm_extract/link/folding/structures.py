@@ -10,6 +10,7 @@ from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import makes_tuple
+from ecm_extract.link.code.member_paths import lies_deep
 from ecm_extract.link.code.overloads import NO, score
 from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
 
 MAX_STATEMENTS: Final = 1_000_000
 """Behind the last statement of a function."""
-MAX_PATH: Final = 4
-"""Members of members that are followed: `node = node->next` in a loop asks for ever longer ones."""
 _PAIR: Final = ("first", "second")
 _GET: Final = "std::get"
 _DECLARED: Final = frozenset({"made", "given", "shared"})
@@ -151,7 +150,7 @@ class StructureFolder:
 
     def handed(self, expr: Member, env: Env) -> Bound | None:
         """Return the field of the object that is handed on, or copied, and that nobody may have changed since."""
-        copied = self.copied(expr.base, env) if not _is_long(expr) else None
+        copied = self.copied(expr.base, env) if not lies_deep(expr) else None
         if copied is None or self._is_touched(copied.expr, copied.env) or self._is_reached_into(expr, env):
             return None
         return Bound(Member(copied.expr, expr.name), copied.env)
@@ -293,7 +292,7 @@ class StructureFolder:
 
     def _of_whole(self, expr: Member, env: Env) -> Bound | None:
         """What a member is made from, of an object that is copied, is made in braces, or by a constructor."""
-        if _is_long(expr):
+        if lies_deep(expr):
             return None
         return self._asked.answer(("whole", expr, env), lambda: self._of_made(expr, env))
 
@@ -341,11 +340,3 @@ class StructureFolder:
 
 def _name(expr: Name | Member) -> str:
     return expr.id if isinstance(expr, Name) else expr.name
-
-
-def _is_long(expr: Expr) -> bool:
-    """Tell whether a member lies deeper in an object than is followed."""
-    depth = 0
-    while isinstance(expr, Member):
-        depth, expr = depth + 1, expr.base
-    return depth > MAX_PATH
