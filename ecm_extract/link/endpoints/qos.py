@@ -15,8 +15,8 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member,
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.endpoints.qos_made import PROFILE, QUEUE, QosMade
-from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, presets
+from ecm_extract.link.endpoints.qos_made import PROFILE, QUEUE, QUEUE_OF, QosMade
+from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, preset_of, presets
 from ecm_extract.link.endpoints.qos_values import (
     milliseconds,
     policy_asked,
@@ -42,7 +42,7 @@ _FLAGS: dict[str, tuple[str, str]] = {
 }
 _POLICIES = ("reliability", "durability", "history", "liveliness")
 _TIMES = {"deadline": "deadline_ms", "lifespan": "lifespan_ms", "liveliness_lease_duration": "lease_ms"}
-_WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"}) | {
+_WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", QUEUE_OF, "KeepLast", "KeepAll", "shared_ptr"}) | {
     PROFILE,
     "copy.copy",
     "copy.deepcopy",
@@ -187,6 +187,8 @@ class QosReader:
         found = presets().get(name)
         if found is not None:
             return {**found[1], **self.made.queue(expr.args, env, level + 1), "profile": found[0]}
+        if self.made.is_member(callee, env):
+            return self.made.of_items(expr.args, env, level + 1)
         if name in _WRAPPERS or name.endswith("QoS") or self._path(expr, env) in _WRAPPERS:
             return self.made.of_call(name, expr, env, level + 1)
         return self._function(expr, env, level)
@@ -293,12 +295,14 @@ class QosReader:
 
     def _constant(self, expr: Name | Member, name: str, env: Env, level: int) -> dict[str, Any]:
         constant = self.folder.scope.constant(dotted_name(expr).removesuffix(".value") or name, env)
+        begun = preset_of(constant[0].type) if constant is not None else {}
         if constant is None or constant[0].value is None:
-            return self._unseen(expr, env)
+            return begun or self._unseen(expr, env)
         scope, own = last_name(constant[0].scope), constant[0].name
         whole = Member(Name(scope), own) if scope else Name(own)
         left = self.variables.left_by_module(whole, constant[1], env, level)
-        return left or self.policies(constant[0].value, self.folder.names.stated_at(*constant, env), level + 1)
+        place = self.folder.names.stated_at(*constant, env)
+        return left or begun | self.policies(constant[0].value, place, level + 1)
 
     def chain(self, expr: Expr, env: Env) -> dict[str, Any]:
         """Return what setters set, one after the other."""
@@ -315,8 +319,12 @@ class QosReader:
             return self._unseen(expr, env)
         if any(self.folder.redefined.may_be(callee, call, env) for callee in callees):
             return {**UNSEEN}
-        found = [each for callee in callees for each in self.folder.returns.expected(callee, call, env)]
-        return agreed([self.policies(value, place, level + 1) for value, place in found]) if found else {**UNSEEN}
+        found = [
+            preset_of(callee.fact.returns) | self.policies(value, place, level + 1)
+            for callee in callees
+            for value, place in self.folder.returns.expected(callee, call, env)
+        ]
+        return agreed(found) if found else {**UNSEEN}
 
     def number(self, expr: Expr, env: Env) -> int | None:
         """Return the whole number that an expression is."""

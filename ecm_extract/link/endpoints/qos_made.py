@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
-from ecm_parsers.source.expr import Call, Expr, Member
+from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.code.calls import spreads
 from ecm_extract.link.code.spelling import last_name, plain
@@ -22,6 +22,8 @@ QUEUE = ("history", "depth")
 _FIELDS = (*QUEUE, "reliability", "durability", "deadline", "lifespan", "liveliness", "liveliness_lease_duration")
 """Fields of the struct of rmw; those of its queue are arguments of `QoSInitialization`, too. Source: rmw/types.h."""
 PROFILE = "rmw_qos_profile_t"
+QUEUE_OF = "from_rmw"
+"""Takes the queue of a profile of rmw, and nothing else of it."""
 _ZERO = dict.fromkeys(("reliability", "durability", "history"), "system_default")
 """Fields that an initialiser of the struct leaves out are zero."""
 _BY_FIELD = frozenset({"QoSInitialization", PROFILE})
@@ -56,6 +58,8 @@ class QosMade:
             return {"history": "keep_all"}
         if name == "KeepLast" and call.args:
             return {"history": "keep_last", "depth": self.profiles.number(call.args[0], env)}
+        if name == QUEUE_OF:
+            return self.queue(call.args, env, level)
         policies = self._of_arguments(name, call.args, env, level)
         for key, value in call.keywords:
             policies.update(self.profiles.assigned(key, value, env))
@@ -68,6 +72,14 @@ class QosMade:
         words = [bool(policy_word(item)) for item in items]
         kind = PROFILE if words[2:3] == [True] else "QoSInitialization" if words[0] and len(items) > 1 else "QoS"
         return self._of_arguments(kind, items, env, level)
+
+    def is_member(self, callee: Expr, env: Env) -> bool:
+        """Tell whether a constructor makes a member, a profile, of what it seems to call: `: qos_(KeepLast(1), p)`."""
+        cls = env.this or env.func.cls
+        if not isinstance(callee, Name) or cls is None or not env.func.is_constructor:
+            return False
+        owners = (each for each in self.folder.program.ancestry(cls) if callee.id in each.fields)
+        return any(last_name(plain(each.fields[callee.id].type)).endswith("QoS") for each in owners)
 
     def queue(self, args: Sequence[Expr], env: Env, level: int) -> Policies:
         """Return the queue that a preset is made with: `SensorDataQoS(KeepLast(1))` is one in all but that."""
