@@ -58,9 +58,10 @@ class QosVariables:
         return preset_of(self._type_of(key[1:], cls)) | found
 
     def _at(self, expr: Name | Member, key: str, env: Env, level: int) -> Policies | None:
-        parts = [each for each in self.folder.flow.outline(env.func).changes if key and each.startswith(f"{key}.")]
+        states = self.folder.flow.decisions.likely(self.folder.flow.states(env))
+        parts = {each for state in states for each in state.holds if key and each.startswith(f"{key}.")}
         if parts:
-            return self._in_states(key, parts, env, level)
+            return self._in_states(key, sorted(parts), states, env, level)
         ways = self.folder.flow.ways(expr, env, likely=True)
         found = [self._any_of(helds, env, level) for helds in ways]
         if not found or None in found:
@@ -87,9 +88,11 @@ class QosVariables:
         made = next((at for at, statement in enumerate(body) if _makes_lambda(statement, names)), -1)
         return any(name in outline.changed_by(at) for at in range(made + 1, len(body)))
 
-    def _in_states(self, key: str, parts: Iterable[str], env: Env, level: int) -> Policies | None:
+    def _in_states(
+        self, key: str, parts: Iterable[str], states: Iterable[State], env: Env, level: int
+    ) -> Policies | None:
         found: list[Policies] = []
-        for state in self.folder.flow.decisions.likely(self.folder.flow.states(env)):
+        for state in states:
             given = (Held("given", key),) if key in env.func.given else ()
             whole = self._any_of(state.holds.get(key, given), env, level)
             if whole is None:
@@ -110,6 +113,10 @@ class QosVariables:
         """What a field holds, by its policy: one that is left alone is as the whole profile has it."""
         if held.how == "given":
             return {field: whole[field]} if field in whole else {}
+        left = self.folder.held.left(held, held.env) if held.how == "after" and held.env is not None else None
+        if left is not None:
+            ways = self.folder.flow.decisions.ways(tuple(left[0]), likely=True)
+            return agreed([self._of_part(field, each, whole) for each in ways])
         known = held.how == "value" and held.expr is not None and held.env is not None
         told = self.profiles.assigned(field, held.expr, held.env) if known and held.expr and held.env else None
         return told or _unknown(field)
