@@ -43,6 +43,36 @@ CPP_ROWS = [
         "rclcpp::QoS(rclcpp::QoSInitialization::from_rmw(p), p)",
         ("reliable", "volatile", "keep_last", 50),
     ),
+    (
+        "",
+        "rclcpp::QoS(rclcpp::KeepLast(1), rmw_qos_profile_sensor_data)",
+        ("best_effort", "volatile", "keep_last", 1),
+    ),
+    (
+        "rclcpp::QoS q(rclcpp::KeepLast(2), rmw_qos_profile_sensor_data);",
+        "q",
+        ("best_effort", "volatile", "keep_last", 2),
+    ),
+    (
+        "rclcpp::QoS q{rclcpp::KeepAll(), rmw_qos_profile_sensor_data};",
+        "q",
+        ("best_effort", "volatile", "keep_all", None),
+    ),
+    (
+        "",
+        "rclcpp::QoS(rclcpp::QoSInitialization(RMW_QOS_POLICY_HISTORY_KEEP_ALL, 4))",
+        ("reliable", "volatile", "keep_all", 4),
+    ),
+    (
+        "rmw_qos_profile_t p = {RMW_QOS_POLICY_HISTORY_KEEP_LAST, 3, BestEffort, TransientLocal, RMW_QOS_DEADLINE_DEFAULT};",
+        "rclcpp::QoS(rclcpp::QoSInitialization(p.history, p.depth), p)",
+        ("best_effort", "transient_local", "keep_last", 3),
+    ),
+    (
+        "rmw_qos_profile_t p = {RMW_QOS_POLICY_HISTORY_KEEP_LAST, 3, BestEffort};",
+        "p",
+        ("best_effort", "system_default", "keep_last", 3),
+    ),
 ]
 UNSEEN = ("unknown", "unknown", "unknown", None)
 CPP_UNSEEN = [
@@ -117,6 +147,25 @@ def test_cpp_qos(workspace: Any, setup: str, qos: str, expected: tuple[Any, ...]
     """Presets, setters and variables give the four policies that matter most."""
     entry = workspace.package({"src/d.cpp": CPP.format(setup=setup, qos=qos)}).only("publisher")
     assert four(entry.qos) == expected
+
+
+CONSTANTS = """
+const rclcpp::QoS LATEST(rclcpp::KeepLast(1), rmw_qos_profile_sensor_data);
+static const rmw_qos_profile_t written = {
+    RMW_QOS_POLICY_HISTORY_KEEP_LAST, 7, RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT, RMW_QOS_POLICY_DURABILITY_VOLATILE,
+};
+const rclcpp::QoS best = rclcpp::QoS(rclcpp::QoSInitialization(written.history, written.depth), written);
+const rclcpp::QoS again = best;
+"""
+
+
+@pytest.mark.parametrize(("qos", "depth"), [("LATEST", 1), ("written", 7), ("best", 7), ("again", 7)])
+def test_constants_of_headers_are_all_that_they_are_made_with(workspace: Any, qos: str, depth: int) -> None:
+    """A profile beside the queue counts, and so do fields that are written out one by one."""
+    source = '#include "qos.hpp"\n' + CPP.format(setup="", qos=qos)
+    entry = workspace.package({"src/d.cpp": source, "include/qos.hpp": CONSTANTS}).only("publisher")
+    assert four(entry.qos) == ("best_effort", "volatile", "keep_last", depth)
+    assert entry.qos.defaulted == ()
 
 
 @pytest.mark.parametrize(("setup", "qos", "expected"), CPP_UNSEEN, ids=[row[1] for row in CPP_UNSEEN])

@@ -13,9 +13,10 @@ from ecm_parsers.numbers import real, truncated
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.code.calls import dotted_name, spreads
+from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, presets
+from ecm_extract.link.endpoints.qos_made import PROFILE, QUEUE, QUEUE_OF, QosMade
+from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, preset_of, presets
 from ecm_extract.link.endpoints.qos_values import (
     milliseconds,
     policy_asked,
@@ -41,14 +42,14 @@ _FLAGS: dict[str, tuple[str, str]] = {
 }
 _POLICIES = ("reliability", "durability", "history", "liveliness")
 _TIMES = {"deadline": "deadline_ms", "lifespan": "lifespan_ms", "liveliness_lease_duration": "lease_ms"}
-_WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"}) | {
+_WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", QUEUE_OF, "KeepLast", "KeepAll", "shared_ptr"}) | {
+    PROFILE,
     "copy.copy",
     "copy.deepcopy",
 }
 _PRESETS = "QoSPresetProfiles"
 _BY_KEY = "get_from_short_key"
-_QUEUE = ("history", "depth")
-_BASIC = ("reliability", "durability", *_QUEUE)
+_BASIC = ("reliability", "durability", *QUEUE)
 _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_namespace_conventions"}) | {
     "get_rmw_qos_profile",
     "value",
@@ -64,6 +65,7 @@ class QosReader:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.variables = QosVariables(folder, self)
+        self.made = QosMade(folder, self)
 
     def read(self, expr: Expr | None, env: Env) -> Qos:
         """Return the profile of a ROS 2 endpoint; without an expression the default one."""
@@ -82,7 +84,7 @@ class QosReader:
 
         A latched publisher gives its last message to whoever comes later, as one that is transient local does.
         """
-        number = self._number(expr, env) if expr is not None else None
+        number = self.number(expr, env) if expr is not None else None
         durability = self._latched(latch, env) if latch is not None else None
         return Qos(depth=number, durability=durability) if number is not None or durability is not None else None
 
@@ -120,7 +122,7 @@ class QosReader:
         if isinstance(expr, Op) and expr.op == "||":
             return self._first(expr, env, level)
         if isinstance(expr, Items) and expr.items:
-            return self.policies(expr.items[0], env, level + 1)
+            return self.made.of_items(expr.items, env, level + 1)
         return {} if isinstance(expr, Items | Lambda | Constant) else self._unseen(expr, env)
 
     def _branches(self, expr: Op, env: Env) -> tuple[Expr, ...]:
@@ -147,7 +149,7 @@ class QosReader:
 
     def _depth_alone(self, expr: Expr, env: Env) -> dict[str, Any] | None:
         """What a number says, or a variable of which only is known that it is one; None of everything else."""
-        number = self._number(expr, env) if len(self.folder.fold(expr, env)) == 1 else None
+        number = self.number(expr, env) if len(self.folder.fold(expr, env)) == 1 else None
         if number is not None:
             return {"history": "keep_last", "depth": number}
         returned = _returned(expr) if isinstance(expr, Call) else ""
@@ -184,15 +186,12 @@ class QosReader:
             return self._by_key(callee, expr, env, level)
         found = presets().get(name)
         if found is not None:
-            return {**found[1], **self._initialised(expr, env, level), "profile": found[0]}
+            return {**found[1], **self.made.queue(expr.args, env, level + 1), "profile": found[0]}
+        if self.made.is_member(callee, env):
+            return self.made.of_items(expr.args, env, level + 1)
         if name in _WRAPPERS or name.endswith("QoS") or self._path(expr, env) in _WRAPPERS:
-            return self._profile(name, expr, env, level)
+            return self.made.of_call(name, expr, env, level + 1)
         return self._function(expr, env, level)
-
-    def _initialised(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
-        """The queue that a preset is made with: `SensorDataQoS(KeepLast(1))` is one in all but that."""
-        given = self.policies(expr.args[0], env, level + 1) if expr.args else {}
-        return {key: given[key] for key in _QUEUE if key in given}
 
     def _path(self, call: Call, env: Env) -> str:
         """What a function of Python is called in the module that has it."""
@@ -231,28 +230,12 @@ class QosReader:
                 policies |= self.chain(statement.value, inner) or self.set_by(statement.value, inner)
         return policies
 
-    def _profile(self, name: str, expr: Call, env: Env, level: int) -> dict[str, Any]:
-        policies: dict[str, Any] = {}
-        call, env = self.folder.spreading.whole(expr, env)
-        if spreads(call):
-            return {**UNSEEN}
-        for arg in call.args if name != "KeepLast" else ():
-            word = policy_word(arg)
-            policies.update({"history": word} if word.startswith("keep_") else self.policies(arg, env, level + 1))
-        if name == "KeepAll":
-            return {"history": "keep_all"}
-        if name == "KeepLast" and expr.args:
-            policies = {"history": "keep_last", "depth": self._number(expr.args[0], env)}
-        for key, value in call.keywords:
-            policies.update(self.assigned(key, value, env))
-        return policies
-
     def set_by(self, expr: Call, env: Env) -> dict[str, Any]:
         """Return what one setter sets."""
         callee = expr.callee
         name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         if name == "keep_last" and expr.args:
-            return {"history": "keep_last", "depth": self._number(expr.args[0], env)}
+            return {"history": "keep_last", "depth": self.number(expr.args[0], env)}
         if name in _FLAGS:
             key, value = _FLAGS[name]
             return {key: value}
@@ -260,8 +243,11 @@ class QosReader:
 
     def assigned(self, key: str, value: Expr, env: Env) -> dict[str, Any]:
         """Return what the assignment of a field sets."""
+        copied = self.made.field(key, value, env)
+        if copied:
+            return copied
         if key == "depth":
-            return {"depth": self._number(value, env)}
+            return {"depth": self.number(value, env)}
         if key in _POLICIES:
             words = {policy_of_number(key, value)} if isinstance(value, Number) else self._words(value, env)
             return {key: words.pop() if len(words) == 1 else "unknown"}
@@ -309,12 +295,14 @@ class QosReader:
 
     def _constant(self, expr: Name | Member, name: str, env: Env, level: int) -> dict[str, Any]:
         constant = self.folder.scope.constant(dotted_name(expr).removesuffix(".value") or name, env)
+        begun = preset_of(constant[0].type) if constant is not None else {}
         if constant is None or constant[0].value is None:
-            return self._unseen(expr, env)
+            return begun or self._unseen(expr, env)
         scope, own = last_name(constant[0].scope), constant[0].name
         whole = Member(Name(scope), own) if scope else Name(own)
         left = self.variables.left_by_module(whole, constant[1], env, level)
-        return left or self.policies(constant[0].value, self.folder.names.stated_at(*constant, env), level + 1)
+        place = self.folder.names.stated_at(*constant, env)
+        return left or begun | self.policies(constant[0].value, place, level + 1)
 
     def chain(self, expr: Expr, env: Env) -> dict[str, Any]:
         """Return what setters set, one after the other."""
@@ -331,12 +319,17 @@ class QosReader:
             return self._unseen(expr, env)
         if any(self.folder.redefined.may_be(callee, call, env) for callee in callees):
             return {**UNSEEN}
-        found = [each for callee in callees for each in self.folder.returns.expected(callee, call, env)]
-        return agreed([self.policies(value, place, level + 1) for value, place in found]) if found else {**UNSEEN}
+        found = [
+            preset_of(callee.fact.returns) | self.policies(value, place, level + 1)
+            for callee in callees
+            for value, place in self.folder.returns.expected(callee, call, env)
+        ]
+        return agreed(found) if found else {**UNSEEN}
 
-    def _number(self, expr: Expr, env: Env) -> int | None:
+    def number(self, expr: Expr, env: Env) -> int | None:
+        """Return the whole number that an expression is; of several nobody knows which it is."""
         numbers = {real(value.text) for value in self.folder.fold(expr, env)}
-        number = numbers.pop() if len(numbers) == 1 else None  # of several nobody knows which it is
+        number = numbers.pop() if len(numbers) == 1 else None
         return truncated(number) if number is not None else None
 
 

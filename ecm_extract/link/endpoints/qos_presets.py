@@ -7,6 +7,7 @@ from functools import cache
 from types import MappingProxyType
 from typing import Any
 
+from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.shipped import shipped
 
 UNSEEN: Mapping[str, Any] = MappingProxyType(
@@ -26,6 +27,15 @@ def presets() -> Mapping[str, tuple[str, Mapping[str, Any]]]:
         for profile, row in table.items()
         for name in row["names"]
     }
+
+
+def preset_of(written: str) -> dict[str, Any]:
+    """Return what a variable begins with that is only declared: `rclcpp::SensorDataQoS qos;` is a preset by its type.
+
+    What it is made with is a queue, and what it is given is such a preset, too: only what is set counts beside it.
+    """
+    preset = presets().get(last_name(plain(written))) if written else None
+    return {**preset[1], "profile": preset[0]} if preset is not None else {}
 
 
 def agreed(sides: Sequence[dict[str, Any]]) -> dict[str, Any]:

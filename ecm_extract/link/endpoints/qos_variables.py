@@ -5,21 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterable, Set
 from typing import TYPE_CHECKING, Any, Protocol
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
-from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
-from ecm_extract.link.code.walk import expressions
-from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, presets
+from ecm_extract.link.code.walk import expressions, last_of
+from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, preset_of
 from ecm_extract.link.running.env import Env
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
+_REMADE = "emplace"
+"""The method of an optional that makes what it holds."""
 Policies = dict[str, Any]
 """Policy -> its value."""
 
@@ -51,9 +52,16 @@ class QosVariables:
     def at(self, expr: Name | Member, env: Env, level: int) -> Policies | None:
         """Return the policies of a variable at a place; None for a variable that nobody gives a profile."""
         key = self.folder.flow.effects(env.func).key(expr)
-        parts = [each for each in self.folder.flow.outline(env.func).changes if key and each.startswith(f"{key}.")]
+        found, cls = self._at(expr, key, env, level), env.this or env.func.cls
+        if found is None or cls is None or not _is_member(key):
+            return found
+        return preset_of(self._type_of(key[1:], cls)) | found
+
+    def _at(self, expr: Name | Member, key: str, env: Env, level: int) -> Policies | None:
+        states = self.folder.flow.decisions.likely(self.folder.flow.states(env))
+        parts = {each for state in states for each in state.holds if key and each.startswith(f"{key}.")}
         if parts:
-            return self._in_states(key, parts, env, level)
+            return self._in_states(key, sorted(parts), states, env, level)
         ways = self.folder.flow.ways(expr, env, likely=True)
         found = [self._any_of(helds, env, level) for helds in ways]
         if not found or None in found:
@@ -80,9 +88,11 @@ class QosVariables:
         made = next((at for at, statement in enumerate(body) if _makes_lambda(statement, names)), -1)
         return any(name in outline.changed_by(at) for at in range(made + 1, len(body)))
 
-    def _in_states(self, key: str, parts: Iterable[str], env: Env, level: int) -> Policies | None:
+    def _in_states(
+        self, key: str, parts: Iterable[str], states: Iterable[State], env: Env, level: int
+    ) -> Policies | None:
         found: list[Policies] = []
-        for state in self.folder.flow.decisions.likely(self.folder.flow.states(env)):
+        for state in states:
             given = (Held("given", key),) if key in env.func.given else ()
             whole = self._any_of(state.holds.get(key, given), env, level)
             if whole is None:
@@ -103,6 +113,10 @@ class QosVariables:
         """What a field holds, by its policy: one that is left alone is as the whole profile has it."""
         if held.how == "given":
             return {field: whole[field]} if field in whole else {}
+        left = self.folder.held.left(held, held.env) if held.how == "after" and held.env is not None else None
+        if left is not None:
+            ways = self.folder.flow.decisions.ways(tuple(left[0]), likely=True)
+            return agreed([self._of_part(field, each, whole) for each in ways])
         known = held.how == "value" and held.expr is not None and held.env is not None
         told = self.profiles.assigned(field, held.expr, held.env) if known and held.expr and held.env else None
         return told or _unknown(field)
@@ -121,8 +135,10 @@ class QosVariables:
         if held.how == "value" and held.expr is not None:
             return self.profiles.policies(held.expr, inner, level + 1)
         if held.how == "made":
-            return _preset(self.folder.objects.type_of(Name(held.name.removeprefix(".")), inner))
+            return preset_of(self.folder.objects.type_of(Name(held.name.removeprefix(".")), inner))
         if held.how == "changed" and isinstance(held.expr, Call):
+            if last_of(held.expr.callee) == _REMADE:
+                return self.profiles.policies(Items(held.expr.args), inner, level + 1)
             before = self._any_of(held.before, env, level)
             return None if before is None else before | self.profiles.set_by(held.expr, inner)
         if held.how in {"looped", "handed", "entered"}:
@@ -197,7 +213,7 @@ class QosVariables:
             later = self._left(key, cls, [end for end in ends if not end[1].func.is_constructor], level)
             declared = self._begun[cls, key] if not made and not later else None
             found = [*made, *later, *([declared] if declared is not None else [])]
-            return agreed(found) if found else None
+            return preset_of(self._type_of(key[1:], cls)) | agreed(found) if found else None
         finally:
             del self._begun[cls, key]
 
@@ -215,12 +231,15 @@ class QosVariables:
         whole = self._any_of(helds, place, level) if given else begun if parts else None
         return None if whole is None else self._with_parts(whole, parts, run.end)
 
+    def _type_of(self, name: str, cls: Cls) -> str:
+        return next((each.fields[name].type for each in self.folder.program.ancestry(cls) if name in each.fields), "")
+
     def _declared(self, name: str, cls: Cls, env: Env, level: int) -> Policies | None:
         """What a data member, its own or of a base, is declared with; None for no such."""
         owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
         field = owner.fields[name] if owner is not None else None
         if owner is None or field is None or field.default is None:
-            return (_preset(field.type) or None) if field is not None else None
+            return (preset_of(field.type) or None) if field is not None else None
         left = self.left_by_module(Member(Name(owner.fact.name), name), owner.file, env, level)
         place = self.folder.names.at_class(owner, cls, env)
         return left or self.profiles.policies(field.default, place, level + 1)
@@ -231,12 +250,6 @@ class QosVariables:
         key = dotted_name(expr)
         changed = self.folder.flow.outline(place.func).changes if place is not None else ()
         return self.at(expr, place, level) if place and any(each.startswith(f"{key}.") for each in changed) else None
-
-
-def _preset(written: str) -> Policies:
-    """What a variable begins with that is only declared: `rclcpp::SensorDataQoS qos;` is a preset by its type."""
-    preset = presets().get(last_name(plain(written))) if written else None
-    return {**preset[1], "profile": preset[0]} if preset is not None else {}
 
 
 def _unknown(field: str) -> Policies:
