@@ -29,6 +29,7 @@ from ecm_extract.diff.same_line import same_lines
 from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
 from ecm_extract.diff.settings import SettingFiles
+from ecm_extract.diff.sharing import by_sharers
 from ecm_extract.diff.similarity import in_package, last_part, same_language
 from ecm_extract.diff.successors import stated_successor
 
@@ -61,6 +62,7 @@ class Pairing:
         self.old = {key: entity for key, entity in old.items() if key not in new}
         self.new = {key: entity for key, entity in new.items() if key not in old}
         self.pairs = [Pair(old[key], new[key]) for key in old if key in new]
+        self.shared = by_sharers(new.values())
         self.owners: dict[str, str] = {}
         self.packages: dict[str, str] = {}
         self.homes: dict[str, str] = {}
@@ -78,6 +80,7 @@ class Pairing:
         self._nodes()
         self._settings()
         self._follow()
+        self._by_sharers()
         self._with_their_module()
         rest = set(kinds_that(lambda row: not (row.contains or row.runs or row.sets)))
         self._inherited()
@@ -155,6 +158,13 @@ class Pairing:
             if target is not None and same_language(entity, target):
                 how: How = "moved" if name == entity.name or entity.row.qualified else "renamed"
                 self.take(Pair(entity, target, how, _WITH_PACKAGE, f"its package is {package} now"))
+
+    def _by_sharers(self) -> None:
+        """What a module has now by a line of another one is still its own."""
+        for key, entity in list(self.old.items()):
+            if key in self.shared:
+                self.old.pop(key)
+                self.pairs.append(Pair(entity, self.shared[key]))
 
     def _with_their_module(self) -> None:
         """What a module offers is what it was when the module or its package has another name."""
