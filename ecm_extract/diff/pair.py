@@ -68,6 +68,7 @@ class Pairing:
         self.homes: dict[str, str] = {}
         self.bases = Bases(new)
         self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in module_kinds()}
+        self._owners = frozenset((key[1], key[2] or key[3]) for key in new)
 
     def run(self) -> list[Pair]:
         """Return the pairs, then what is left as removed and added."""
@@ -259,7 +260,7 @@ class Pairing:
         for entity in self.new.values():
             if entity.kind in wanted:
                 index[_move_key(entity)].append(entity)
-        places = Places(self.evidence.files, self.packages, self._same_module, self.evidence.before)
+        places = Places(self.evidence.files, self.packages, self._same_module, self.evidence.before, self._owners)
         for entity in list(self.old.values()):
             if entity.kind not in wanted:
                 continue
