@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Literal
 
 import msgspec
 
@@ -29,6 +30,7 @@ class Known(msgspec.Struct, frozen=True):
     quiet: _Names
     install_types: dict[str, str]
     install_artefacts: dict[str, str]
+    from_manifest: dict[str, dict[str, Literal["name", "version"]]]
 
 
 @cache

@@ -16,6 +16,7 @@ from ecm_extract.cmake.files import absolute, placed, tree_path
 from ecm_extract.cmake.finding import found_packages
 from ecm_extract.cmake.known import known
 from ecm_extract.cmake.lists import items
+from ecm_extract.cmake.manifests import manifest_of, project_of
 from ecm_extract.cmake.run import Place, Run
 from ecm_extract.cmake.state import either
 from ecm_extract.cmake.values import BINARY, SOURCE, Value, is_known, unknown, written
@@ -151,23 +152,31 @@ def _know(run: Run, table: dict[str, str]) -> None:
         run.set(variable, text.format(project=project))
 
 
+def _told_by_manifest(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    del place
+    manifest = manifest_of(run.files, run.folder())
+    for name, what in known().from_manifest[command.name].items():
+        run.set(name.format(*args, ""), getattr(manifest, what, None) or unknown(what))
+    return True
+
+
 def _project(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
-    del command
+    del command, place
     if not args:
         return True
+    name = args[0] if is_known(args[0]) else project_of(run.files, run.folder()) or args[0]
     version = args[args.index("VERSION") + 1] if "VERSION" in args[:-1] else ""
     parts = [*version.split("."), "", "", ""]
     look = run.look()
-    told = {"NAME": args[0], "VERSION": version}
+    told = {"NAME": name, "VERSION": version}
     told |= {"SOURCE_DIR": look.get("CMAKE_CURRENT_SOURCE_DIR") or SOURCE}
     told |= {"BINARY_DIR": look.get("CMAKE_CURRENT_BINARY_DIR") or BINARY}
     told |= {"VERSION_MAJOR": parts[0], "VERSION_MINOR": parts[1], "VERSION_PATCH": parts[2]}
     for what, text in told.items():
         run.set(f"PROJECT_{what}", text)
-        run.set(f"{args[0]}_{what}", text)
+        run.set(f"{name}_{what}", text)
     if run.state.depth == 1:
-        run.set("CMAKE_PROJECT_NAME", args[0])
-    del place
+        run.set("CMAKE_PROJECT_NAME", name)
     return True
 
 
@@ -224,6 +233,7 @@ def _fetched(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
 
 
 SPECIAL: Final[dict[str, _Special]] = {
+    **dict.fromkeys(known().from_manifest, _told_by_manifest),
     "add_executable": _target,
     "add_library": _target,
     "add_subdirectory": _subdirectory,

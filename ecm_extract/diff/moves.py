@@ -19,12 +19,14 @@ class Places:
     Attributes:
         files: new path of each file that moved. packages: new name of each package that has one.
         same_module: whether the module that had it still exists. before: paths of the old side.
+        owners: package and name of the programs and modules of the new side.
     """
 
     files: Mapping[str, str]
     packages: Mapping[str, str]
     same_module: Callable[[Provision, Provision], bool]
     before: frozenset[str] = frozenset()
+    owners: frozenset[tuple[str, str]] = frozenset()
 
     def same_package(self, old: Provision, new: Provision) -> bool:
         """Whether an entity stayed in its package, however that is called now."""
@@ -59,7 +61,9 @@ def _is_unmoved(old: Provision, new: Provision, places: Places) -> bool:
     files = places.files
     if old.is_value and old.path.endswith((".yaml", ".yml")) and _same_file(old, new, files):
         return True  # generated for whoever uses the library
-    if not old.is_of_module or not places.same_package(old, new):
+    if old.is_of_module and not places.same_package(old, new):
+        return new.node is None and old.path == new.path and (old.package, old.owner) not in places.owners
+    if not old.is_of_module:
         return False
     if None in (old.node, new.node) or new.owner in old.sharers or old.owner in new.sharers or old.node == new.node:
         return True  # an owner without a node goes by the name of a class or file, which no user writes

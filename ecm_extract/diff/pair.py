@@ -29,6 +29,7 @@ from ecm_extract.diff.same_line import same_lines
 from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
 from ecm_extract.diff.settings import SettingFiles
+from ecm_extract.diff.sharing import by_sharers
 from ecm_extract.diff.similarity import in_package, last_part, same_language
 from ecm_extract.diff.successors import stated_successor
 
@@ -61,11 +62,13 @@ class Pairing:
         self.old = {key: entity for key, entity in old.items() if key not in new}
         self.new = {key: entity for key, entity in new.items() if key not in old}
         self.pairs = [Pair(old[key], new[key]) for key in old if key in new]
+        self.shared = by_sharers(new.values())
         self.owners: dict[str, str] = {}
         self.packages: dict[str, str] = {}
         self.homes: dict[str, str] = {}
         self.bases = Bases(new)
         self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in module_kinds()}
+        self._owners = frozenset((key[1], key[2] or key[3]) for key in new)
 
     def run(self) -> list[Pair]:
         """Return the pairs, then what is left as removed and added."""
@@ -78,6 +81,7 @@ class Pairing:
         self._nodes()
         self._settings()
         self._follow()
+        self._by_sharers()
         self._with_their_module()
         rest = set(kinds_that(lambda row: not (row.contains or row.runs or row.sets)))
         self._inherited()
@@ -155,6 +159,13 @@ class Pairing:
             if target is not None and same_language(entity, target):
                 how: How = "moved" if name == entity.name or entity.row.qualified else "renamed"
                 self.take(Pair(entity, target, how, _WITH_PACKAGE, f"its package is {package} now"))
+
+    def _by_sharers(self) -> None:
+        """What a module has now by a line of another one is still its own."""
+        for key, entity in list(self.old.items()):
+            if key in self.shared:
+                self.old.pop(key)
+                self.pairs.append(Pair(entity, self.shared[key]))
 
     def _with_their_module(self) -> None:
         """What a module offers is what it was when the module or its package has another name."""
@@ -249,7 +260,7 @@ class Pairing:
         for entity in self.new.values():
             if entity.kind in wanted:
                 index[_move_key(entity)].append(entity)
-        places = Places(self.evidence.files, self.packages, self._same_module, self.evidence.before)
+        places = Places(self.evidence.files, self.packages, self._same_module, self.evidence.before, self._owners)
         for entity in list(self.old.values()):
             if entity.kind not in wanted:
                 continue

@@ -46,7 +46,8 @@ def given_away(pairs: Iterable[Pair], added: Iterable[Provision]) -> Iterator[tu
 def only_ones(removed: Iterable[Provision], added: Iterable[Provision], history: History | None) -> Iterator[Pair]:
     """Yield the pair of a method that went and one that came, when no other of the class has their signature.
 
-    A signature without parameters says little, so there somebody must have written of the two names.
+    A signature without parameters says little, so there somebody must have written of the two names; so does one of
+    Python, whose parameters seldom have types, unless the names are alike.
     """
     gone: dict[tuple[str, Signature], list[Provision]] = defaultdict(list)
     came: dict[tuple[str, Signature], list[Provision]] = defaultdict(list)
@@ -59,10 +60,16 @@ def only_ones(removed: Iterable[Provision], added: Iterable[Provision], history:
         if len(before) != 1 or len(after) != 1:
             continue
         written = history.mentions(before[0].name, after[0].name) if history is not None else None
-        if written or any(form.types for form in before[0].forms):
+        if written or _is_telling(before[0], after[0]):
             reason = "of all methods that went and came only these two have this signature"
             reason += f"; history says: {written[:160]}" if written else ""
             yield Pair(before[0], after[0], "renamed", _ONLY, reason)
+
+
+def _is_telling(old: Provision, new: Provision) -> bool:
+    """Whether that two methods have one signature says that they are one."""
+    alike = not old.is_python or name_similarity(old.name, new.name) >= _LEAST_NAME
+    return alike and any(form.types for form in old.forms)
 
 
 def signature(entity: Provision) -> Signature:

@@ -54,7 +54,7 @@ def _targets(facts: PackageFacts) -> Iterator[Provision]:
     installed = {item for entry in installs for item in entry.items if not _PYTHON.search(entry.destination)}
     for path, file in facts.cmake.items():
         for target in file.targets:
-            if target.kind not in {"executable", "library"} or target.is_test or "$" in target.name:
+            if target.kind not in {"executable", "library"} or target.is_test or "$" in (target.output or target.name):
                 continue
             if target.name in installed or _runs_where_built(target, facts):
                 yield Provision(

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import PurePosixPath
+from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
@@ -20,6 +21,7 @@ class NamedFile(msgspec.Struct, frozen=True):
         consumer: the package that names it. package, path: as it is named. place: the line that names it.
         near: the one of that name elsewhere in its package, or empty.
         is_url: it is named as `file://`, as calibrations of cameras are.
+        archive: one in the folder where it should be, which may hold it; or empty.
     """
 
     consumer: str
@@ -28,6 +30,10 @@ class NamedFile(msgspec.Struct, frozen=True):
     near: str
     place: Evidence
     is_url: bool
+    archive: str = ""
+
+
+_ARCHIVES: Final = (".zip", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz", ".7z", ".rar")
 
 
 def absent_files(known: Known) -> Iterator[NamedFile]:
@@ -39,7 +45,9 @@ def absent_files(known: Known) -> Iterator[NamedFile]:
             continue
         named = known.named_like(owner.name, wanted.name, TEMPLATES)
         if all(PurePosixPath(path).name == PurePosixPath(wanted.name).name for path in named):
-            yield _absent(asked, owner.name, named)
+            yield msgspec.structs.replace(
+                _absent(asked, owner.name, named), archive=_archive_beside(known.files_of(owner.name), wanted.name)
+            )
 
 
 def _absent(asked: Asked, owner: str, named: Sequence[str]) -> NamedFile:
@@ -54,3 +62,11 @@ def _meant(path: PurePosixPath, named: Sequence[str]) -> str:
         named if len(named) == 1 else [each for each in named if PurePosixPath(each).parent.name == path.parent.name]
     )
     return beside[0] if len(beside) == 1 else ""
+
+
+def _archive_beside(files: Iterable[str], path: str) -> str:
+    """The first archive in the folder of a path; empty for none."""
+    folder = PurePosixPath(path).parent
+    return min(
+        (each for each in files if each.endswith(_ARCHIVES) and PurePosixPath(each).parent == folder), default=""
+    )

@@ -220,3 +220,25 @@ def test_what_this_copy_lacks_is_not_known_to_be_missing(condition: str, verdict
     files = BuildFiles([TOP, "src/a.cpp"], {TOP: text, "src/a.cpp": b""}.get, ["fw"])
     found = [target for file in stated(evaluate(files, TOP)).values() for target in file.targets]
     assert [bool(target.conditions) for target in found] == ([] if verdict is False else [verdict is None])
+
+
+_MANIFEST = (
+    "<package format='2'><name>talker</name><version>1.2.3</version><buildtool_depend>{}</buildtool_depend></package>"
+)
+
+
+@pytest.mark.parametrize(
+    ("begin", "tool", "name"),
+    [
+        ("extract_package_metadata(pkg)\nproject(${pkg_extracted_name})", "other", "talker_node"),
+        ("read_it(pkg)\nproject(${pkg_name})", "catkin", "talker_node"),
+        ("read_it(pkg)\nproject(${pkg_name})", "other", "${PROJECT_NAME}_node"),
+        ("project(own)", "catkin", "own_node"),
+    ],
+)
+def test_a_project_may_be_named_by_its_package_xml(begin: str, tool: str, name: str) -> None:
+    """Commands of the table read it; what nobody knows is its name too where a build tool insists on that."""
+    text = f"find_package(helper REQUIRED)\n{begin}\nadd_executable(${{PROJECT_NAME}}_node a.cpp)\n"
+    held = {TOP: text.encode(), "package.xml": _MANIFEST.format(tool).encode(), "a.cpp": b""}
+    (target,) = (each for file in stated(evaluate(BuildFiles(held, held.get), TOP)).values() for each in file.targets)
+    assert target.name.startswith("$") if name.startswith("$") else target.name == name

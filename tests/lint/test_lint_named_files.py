@@ -30,3 +30,12 @@ def test_named_files(workspace: Workspace, line: str, build: str, expected: bool
     (workspace.root / ".gitmodules").write_text('[submodule "sub"]\n  path = pkg/sub\n', "utf-8")
     found = [finding.rule for finding in lint(workspace.root)]
     assert ("LNT001" in found) is expected
+
+
+@pytest.mark.parametrize(("archive", "severity"), [("maps/all.zip", "info"), ("all.tar.gz", "warning")])
+def test_an_archive_in_its_folder_may_hold_it(workspace: Workspace, archive: str, severity: str) -> None:
+    """Somebody unpacks it before the first start."""
+    line = '<arg name="map" default="$(find pkg)/maps/away.yaml"/>'
+    files = {"CMakeLists.txt": BUILD, "launch/a.launch": f"<launch>{line}</launch>", archive: "PK"}
+    workspace.package(files, ros=1)
+    assert [finding.severity for finding in lint(workspace.root) if finding.rule == "LNT001"] == [severity]

@@ -54,6 +54,7 @@ def tell(known: Known) -> Iterator[Finding]:
     for found in absent_files(known):
         text = f"{found.place.path} names {found.path} of {found.package}, which is not there"
         text += f"; there is {found.near}" if found.near else ""
+        text += f"; {found.archive} lies there, which may hold it" if found.archive else ""
         entity = Entity("file", f"{found.package}/{found.path}", found.near)
         yield RULE.finding(
             text,
@@ -61,7 +62,7 @@ def tell(known: Known) -> Iterator[Finding]:
             found.consumer,
             [found.place],
             certainty="likely",
-            severity="info" if found.is_url else "warning",
+            severity="info" if found.is_url or found.archive else "warning",
             consequence=_UNCALIBRATED if found.is_url else _NOT_OPENED,
         )
 

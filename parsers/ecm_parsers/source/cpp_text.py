@@ -1,9 +1,9 @@
 """Same-length rewrites that let a grammar without a preprocessor read macro-laden C++.
 
 Offsets and lines stay as they were. Applied only to text whose first parse has errors, since matching
-costs half a parse. Causes counted on real trees: export macros, macro-only lines, `typename` before an
-expression, `= {}` as default argument, a default of a nameless template parameter, notes on the values of an enum,
-`#if` inside an expression, a comment in a `#define` of several lines, which ends there for the grammar.
+costs half a parse. Causes counted on real trees: export macros, marks of functions, macro-only lines, `typename`
+before an expression, `= {}` as default argument, a default of a nameless template parameter, notes on the values of
+an enum, `#if` inside an expression, a comment in a `#define` of several lines, which ends there for the grammar.
 """
 
 import re
@@ -17,6 +17,12 @@ _MACRO_LINE = re.compile(
     rb"(?<=[;{}:\n])([ \t]*)([A-Z][A-Z0-9_]{2,}[A-Z0-9](?:\([^;{}]{0,400}?\))?)"
     rb"(?=[ \t]*\r?\n[ \t\r\n]*(?:[^\s,).&|+*/?:<=\[-]|/[/*]|\[\[))"
 )
+_MARK = re.compile(
+    rb"(?<=[;{}:\n])([ \t]*)[A-Z][A-Z0-9]*_[A-Z0-9_]+(?=[ \t]+(?:(?:const|static|virtual|inline)[ \t]+)*"
+    rb"(?!const\b|volatile\b|static\b|virtual\b|inline\b|constexpr\b|operator\b)"
+    rb"[A-Za-z_][\w:]*(?:<[^;(){}]{0,200}>)?[ \t&*]+\w+[ \t]*\()"
+)
+"""A macro before the type that a function returns (`Q_INVOKABLE QString name()`): no code has three names in a row."""
 _TYPENAME = re.compile(rb"(?<=[(,=<{ \t])typename(?=\s+[\w:]+(?:<[^;(){}]*>)?::)")
 _NO_POINTER = re.compile(rb"(?<=::type)\s*\*\s*=\s*nullptr(?=\s*[,>])")
 _LABEL_NOTE = re.compile(rb"(?<=\w)\s*\[\[[^\[\]]*\]\](?=\s*[=,}])")
@@ -55,7 +61,7 @@ def without_macros(data: bytes) -> bytes:
     """Return `data` with export words, macro-only lines and odd `typename`s blanked, length unchanged."""
     kept = _DEFINE_LINE.sub(lambda match: _COMMENT.sub(_blank, match.group()), data)
     kept = _outside_directives(kept, lambda text: _EXPORT_WORD.sub(_blank, text))
-    kept = _outside_directives(kept, lambda text: _MACRO_LINE.sub(_blank, text))
+    kept = _outside_directives(kept, lambda text: _MARK.sub(_blank, _MACRO_LINE.sub(_blank, text)))
     kept = _CLASS_WORD.sub(lambda match: match[1] + b" " * len(match[2]), kept)
     kept = _ADJACENT.sub(rb"\1+\2", _TYPENAME.sub(_blank, kept))
     kept = _LABEL_NOTE.sub(_blank, _NO_POINTER.sub(lambda match: b"=" + BRACES.rjust(len(match.group()) - 1), kept))
