@@ -33,6 +33,18 @@ def test_a_program_that_two_launch_files_start(workspace: Any) -> None:
     ]
 
 
+def test_programs_that_were_removed_and_two_launch_files_still_start(workspace: Any) -> None:
+    """What a package once built is one cause; a name that is nearly that of a program it builds is a slip."""
+    start = '<launch><node pkg="pkg" type="{}" name="a"/></launch>'
+    cmake = "cmake_minimum_required(VERSION 3.0)\nproject(pkg)\nadd_executable(planner a.cpp)\ncatkin_package()\n"
+    files = {"launch/a.launch": "manual_drive", "launch/b.launch": "automatic_drive", "launch/c.launch": "plannr"}
+    workspace.package({path: start.format(name) for path, name in files.items()} | {"CMakeLists.txt": cmake}, ros=1)
+    assert [(text.partition(";")[0], lines) for text, lines in findings(workspace, "LNT003")] == [
+        ("pkg builds no programs manual_drive, automatic_drive", 2),
+        ("pkg builds no program plannr", 1),
+    ]
+
+
 def test_a_mesh_that_two_descriptions_name(workspace: Any) -> None:
     """The file that is not there is the cause, not who names it."""
     robot = f'<robot name="a"><link name="l">{MESH.format("toe")}</link></robot>'

@@ -34,14 +34,13 @@ def tell(known: Known) -> Iterator[Finding]:
         wanted = asked.requirement
         if asked.match.state == "dangling":
             missing.setdefault((asked.consumer.name, wanted.package or "", wanted.name), []).append(asked)
-    together: dict[tuple[str, str, str], dict[str, list[Asked]]] = {}
+    together: dict[tuple[str, str], dict[str, list[Asked]]] = {}
     for (consumer, package, name), group in missing.items():
         if _target(known.near(name, package, _KIND)):
             yield _finding(package, name, group, known)
         else:
-            first = group[0].requirement.evidence[0].path
-            together.setdefault((consumer, package, first), {})[name] = group
-    for (_, package, _), groups in together.items():
+            together.setdefault((consumer, package), {})[name] = group
+    for (_, package), groups in together.items():
         if len(groups) == 1:
             yield from (_finding(package, name, group, known) for name, group in groups.items())
         else:
@@ -49,7 +48,7 @@ def tell(known: Known) -> Iterator[Finding]:
 
 
 def _left_over(package: str, groups: Mapping[str, Sequence[Asked]]) -> Finding:
-    """One finding for a launch file that starts several programs, none of which has nearly the name of one that is."""
+    """One finding for who starts several programs of a package, none of which has nearly the name of one that is."""
     names = list(groups)
     every = [asked for group in groups.values() for asked in group]
     more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
@@ -59,7 +58,7 @@ def _left_over(package: str, groups: Mapping[str, Sequence[Asked]]) -> Finding:
         every[0].consumer.name,
         [place for asked in every for place in asked.requirement.evidence],
         consequence=_GOES_ON_WITHOUT if every[0].consumer.ros == 1 else "",
-        resolution="correct the names, install the programs, or remove the launch file",
+        resolution="correct the names, install the programs, or remove what starts them",
     )
 
 

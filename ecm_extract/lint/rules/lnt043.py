@@ -25,7 +25,7 @@ RULE = LintRule(
     who="config",
     consequence="it is there where it was built and missing where the package is installed",
     resolution="add install(TARGETS ...), install(PROGRAMS ...) or install(DIRECTORY ...) to CMakeLists.txt",
-    tier="stable",
+    tier="preview",
 )
 _SHOWN = 5
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
