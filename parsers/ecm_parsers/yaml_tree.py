@@ -22,6 +22,9 @@ MAX_DEPTH = 100
 MAX_DIAGNOSTICS = 100
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _LIMIT = "yaml-limit"
+_TOO_DEEP = f"YAML nested deeper than {MAX_DEPTH} levels"
+_OWN_BOUND = "exceeded maximum nesting depth"
+"""What libyaml says of nesting that it looks ahead over, beyond a bound of its own (PyYAML from 6.0.4 on)."""
 _CORE = "tag:yaml.org,2002:"
 _ANGLES = frozenset({"!degrees", "!radians"})
 
@@ -151,8 +154,11 @@ class _Builder:
                 self._take(event, line)
         except yaml.MarkedYAMLError as error:
             mark = error.problem_mark or error.context_mark
-            problem = f"Invalid YAML: {error.problem or error.context}. What follows this line is not read."
-            self._report("error", "yaml-syntax", mark.line + 1 if mark else line, problem)
+            at, deep = mark.line + 1 if mark else line, error.problem == _OWN_BOUND
+            problem = _TOO_DEEP if deep else f"Invalid YAML: {error.problem or error.context}"
+            self._report(
+                "error", _LIMIT if deep else "yaml-syntax", at, f"{problem}. What follows this line is not read."
+            )
         except (yaml.YAMLError, UnicodeError, ValueError) as error:
             problem = str(error).splitlines()[0] if str(error) else "unreadable"
             self._report("error", "yaml-syntax", line, f"Invalid YAML: {problem[:200]}. The rest is not read.")
@@ -175,8 +181,7 @@ class _Builder:
 
     def _open(self, event: Any, line: int) -> None:
         if len(self._stack) >= MAX_DEPTH:
-            message = f"YAML nested deeper than {MAX_DEPTH} levels"
-            raise _LimitError(message)
+            raise _LimitError(_TOO_DEEP)
         if event.tag and not event.tag.startswith((_CORE + "map", _CORE + "seq", _CORE + "omap")):
             self._unknown_tag(event.tag, line)
         self._stack.append(_Frame(isinstance(event, yaml.MappingStartEvent), line, event.anchor))
