@@ -35,7 +35,8 @@ class Sharing:
         """Whether a variable, or a field of one, means the same throughout: nothing on the way to it is bound anew."""
         first, *fields = key.split(".")
         way = (".".join((first, *fields[:count])) for count in range(len(fields)))
-        return self.outline.is_one(first) and all(self.outline.changes.get(each, 0) <= 1 for each in way)
+        member = not first  # the object at hand is one throughout
+        return (member or self.outline.is_one(first)) and all(self.outline.changes.get(each, 0) <= 1 for each in way)
 
     def names_of(self, key: str) -> set[str]:
         """Return all names of the variable of C++ that a name means."""

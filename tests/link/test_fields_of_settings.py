@@ -82,6 +82,62 @@ def test_a_method_that_only_asks_leaves_its_object_alone(workspace: Any) -> None
     assert _told(workspace, body) == [("/begun", "folded", 3)]
 
 
+ALIASED = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+struct Settings {{ std::string topic = "begun"; }};
+class Demo : public rclcpp::Node {{
+ public:
+  Demo() : Node("demo"), qos_(3) {{
+    settings_.topic = "own"; topic_ = "own";
+    change();
+    create_publisher<std_msgs::msg::String>({name}, qos_);
+  }}
+  void change() {{ {change} }}
+  Settings settings_; std::string topic_; rclcpp::QoS qos_;
+}};
+int main(int c, char ** v) {{ rclcpp::init(c, v); rclcpp::spin(std::make_shared<Demo>()); }}
+"""
+BY_OTHER_NAMES = [
+    ("settings_.topic", 'auto & s = settings_; s.topic = "set";', "/set", "reliable"),
+    ("topic_", 'auto & t = topic_; t = "set";', "/set", "reliable"),
+    ("topic_", "auto & q = qos_; q.best_effort();", "/own", "best_effort"),
+    ("settings_.topic", 'auto s = settings_; s.topic = "set";', "/own", "reliable"),
+]
+
+
+@pytest.mark.parametrize(("name", "change", "told", "reliability"), BY_OTHER_NAMES, ids=[r[1] for r in BY_OTHER_NAMES])
+def test_what_a_method_changes_by_another_name(
+    workspace: Any, name: str, change: str, told: str, reliability: str
+) -> None:
+    """A reference to a member is the member: what a method writes by it is the member's behind the call."""
+    found = workspace.package({"src/d.cpp": ALIASED.format(name=name, change=change)}).only("publisher")
+    assert (found.name, found.qos.reliability) == (told, reliability)
+
+
+def test_what_a_method_of_python_changes_by_another_name(workspace: Any) -> None:
+    """`s = self.settings` is the same object."""
+    text = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+class Settings:
+    def __init__(self):
+        self.topic = 'begun'
+class Demo(Node):
+    def __init__(self):
+        super().__init__('demo')
+        self.settings = Settings()
+        self.change()
+        self.create_publisher(String, self.settings.topic, 1)
+    def change(self):
+        s = self.settings
+        s.topic = 'set'
+"""
+    found = workspace.package({"pkg/d.py": text}).only("publisher")
+    assert (found.name, found.confidence) == ("/set", "folded")
+
+
 def test_a_depth_of_several_is_none(workspace: Any) -> None:
     """Nobody knows which of two lengths a queue has."""
     body = 'int depth = 1; if (get_parameter("deep").as_bool()) { depth = 9; } pub("a", depth);'

@@ -38,7 +38,7 @@ ROWS = [
     ("auto q = rclcpp::QoS(4); q.keep_last(6).best_effort(); {a} {b}", ("best_effort", 6), ("best_effort", 6)),
     ("rclcpp::QoS q(4); {a} if (found()) { q.best_effort(); } {b}", ("reliable", 4), ("unknown", 4)),
     ("rclcpp::QoS q(4); {a} if (found()) { q = rclcpp::QoS(4).best_effort(); } {b}", ("reliable", 4), ("unknown", 4)),
-    ("auto & q = held_; {a} held_ = rclcpp::QoS(3); {b}", ("reliable", 10), ("unknown", None)),
+    ("auto & q = held_; {a} held_ = rclcpp::QoS(3); {b}", ("reliable", 10), ("reliable", 3)),
     ("rclcpp::QoS q(1); {a} q.keep_last(5); {b} q.keep_last(7);", ("reliable", 1), ("reliable", 5)),
 ]
 PYTHON_ROWS = [
