@@ -22,6 +22,7 @@ void load_into(rclcpp::Node & node, Settings & settings) {{
 Settings load_by(rclcpp::Node & node) {{
   Settings own; node.get_parameter("topic", own.topic); node.get_parameter("depth", own.depth); return own;
 }}
+class Loader {{ public: Loader(rclcpp::Node & node, Settings & settings) {{ load_into(node, settings); }} }};
 class Demo : public rclcpp::Node {{
  public:
   Demo() : Node("demo"){begun} {{
@@ -45,6 +46,7 @@ TOLD = [
 ]  # fmt: skip
 OPEN = [
     ("by reference", "Settings s; load_into(*this, s); pub(s.topic, s.depth);"),
+    ("by a constructor", "Settings s; Loader loader(*this, s); pub(s.topic, s.depth);"),
     ("by its own method", "Settings s; s.load(this); pub(s.topic, s.depth);"),
     ("by a method of its own method", "Settings s; s.load_all(this); pub(s.topic, s.depth);"),
     ("behind a pointer", "auto s = std::make_shared<Settings>(); s->load(this); pub(s->topic, s->depth);"),

@@ -251,12 +251,12 @@ class Objects:
     # --- functions -------------------------------------------------------------------------------------
 
     def run_by(self, call: Call, env: Env) -> Func | None:
-        """Return the function with a body that a call means, or the constructor of what it makes behind a pointer."""
-        made = pointed_class(call)
-        cls = self.class_written(made, env) if made else None
-        if made:
-            return self.constructor(cls, len(call.args)) if cls is not None else None
-        return self.callee(invocation_of(call, env), env)
+        """Return the function with a body that a call means, or the constructor of what it makes."""
+        behind = pointed_class(call)
+        function = self.callee(invocation_of(call, env), env) if not behind else None
+        made = behind or (call.callee.id if isinstance(call.callee, Name) and env.func.file.language == "cpp" else "")
+        cls = self.class_written(made, env) if made and function is None else None
+        return self.constructor(cls, len(call.args)) if cls is not None else function
 
     def callee(self, call: Invocation, env: Env) -> Func | None:
         """Return the function in the tree that a call means, with a body; of several that it can mean one."""
