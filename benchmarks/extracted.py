@@ -51,12 +51,20 @@ class Module(msgspec.Struct, frozen=True):
     signature: _Signature = _Signature()
 
 
+class Diagnostic(msgspec.Struct, frozen=True):
+    """What the tool says of its own reading."""
+
+    code: str
+    message: str = ""
+
+
 class Package(msgspec.Struct, frozen=True):
     """One package of the tree; `path` is where its package.xml lies."""
 
     name: str
     path: str = ""
     modules: tuple[Module, ...] = ()
+    diagnostics: tuple[Diagnostic, ...] = ()
 
 
 class Extraction(msgspec.Struct, frozen=True):
@@ -101,7 +109,11 @@ def command() -> str:
 def extract(tree: Path, saved: Path | None = None) -> Extraction:
     """Extract `tree`, or read the JSON that an earlier run saved."""
     data = saved.read_bytes() if saved else _run(tree)
-    return msgspec.json.decode(data, type=Extraction)
+    extraction = msgspec.json.decode(data, type=Extraction)
+    for package in extraction.packages:
+        for fault in [found for found in package.diagnostics if found.code == "function-left-out"]:
+            print(f"FAULT of the tool in {tree.name}, {package.name}: {fault.message}", file=sys.stderr)
+    return extraction
 
 
 def _run(tree: Path) -> bytes:

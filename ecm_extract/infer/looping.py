@@ -123,8 +123,9 @@ class Looping:
         if after is not None:
             after = self.blocks.run(loop.step, after)
         self.frame.blurred -= 1
+        ends = after.holds if after is not None else {}
         for key, head in heads.items():
-            self._close(head, self.memory.known(key, before, None), after.holds[key] if after is not None else ())
+            self._close(head, self.memory.known(key, before, None), ends.get(key, ()))
         return self._exit(loop, joined_states([start, after]))
 
     def _close(self, head: Held, before: tuple[Held, ...], after: tuple[Held, ...]) -> None:

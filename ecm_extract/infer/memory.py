@@ -157,7 +157,8 @@ class Memory:
         """Note what variables hold while other functions run."""
         for key in keys:
             known = self.frame.run.shown[key]
-            known += [held for held in state.holds[key] if held.how not in {"given", "shared"} and held not in known]
+            ways = state.holds.get(key, ())
+            known += [held for held in ways if held.how not in {"given", "shared"} and held not in known]
 
     def given_again(self, keys: Iterable[str], state: State) -> State:
         """A function of the tree may assign members and variables outside of functions."""

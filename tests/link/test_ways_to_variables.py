@@ -63,6 +63,7 @@ ROWS = [
     ("a text that a list refers to", 'std::string s = "a"; std::vector<std::reference_wrapper<std::string>> v; v.push_back(s); v[0].get() = "w"; pub(s);', OPEN),
     ("a field behind a block that hides it", 'Cfg c; c.n = "a"; { Cfg c; c.n = "b"; } pub(c.n);', "a"),
     ("a field behind a loop that hides it", 'Cfg c; c.n = "a"; for (Cfg c : {Cfg{"b", {}}}) { report(c.n); } pub(c.n);', "a"),
+    ("a reference in an element of rounds", 'std::vector<Cfg> v; load(v); for (auto c : v) { pub("e"); auto & t = c.n; }', "e"),
     ("a field of what hides another", 'Cfg c; c.n = "a"; { Cfg c; pub(c.n); }', "n"),
     ("a field of a new round", 'for (int i = 0; i < 3; ++i) { Cfg c; pub(c.n); c.n = "a"; }', "n"),
     ("a field of an element that hides", 'std::vector<Cfg> v; Cfg c; c.n = "a"; v.push_back(c); for (const auto & c : v) { pub(c.n); }', "a"),
