@@ -25,6 +25,7 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
+from ecm_extract.link.folding.behind_calls import BehindCalls
 from ecm_extract.link.folding.class_names import ClassNames
 from ecm_extract.link.folding.comprehended import Comprehended
 from ecm_extract.link.folding.data_classes import DataClasses
@@ -141,6 +142,7 @@ class Folder:
         self.numbers = TypedNumbers(self)
         self.streams = StreamFolder(self)
         self.held = HeldFolder(self)
+        self.behind_calls = BehindCalls(self)
         self.messages = MessageFolder(self)
         self.cuts = self.cycles = 0
         self.faults = Faults()
