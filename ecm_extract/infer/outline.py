@@ -255,6 +255,17 @@ class Outline:
         )
         return frozenset().union(*found)
 
+    def run_by(self, call: Call) -> Iterator[Func]:
+        """Yield the functions declared here that a call runs, or that it hands to a function of the tree."""
+        for func in self.inner:
+            given = _is_given(call, func) and self.effects.targets.target(call, self.func, len(self.func.fact.body))
+            if call.callee == Name(func.fact.name) or given:
+                yield func
+
+    def changed_inside(self, func: Func) -> Set[str]:
+        """Return the variables of this function, and members, that one declared in it changes."""
+        return frozenset(self._changed_inside(func))
+
     def bound_keys(self, target: Expr | None) -> Iterator[str]:
         """Yield the variables that an assignment to a target changes."""
         if isinstance(target, Items):

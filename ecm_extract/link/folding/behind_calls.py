@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from functools import reduce
+from typing import TYPE_CHECKING, cast
 
-from ecm_parsers.source.expr import Call
+from ecm_parsers.source.expr import THIS, Call, Expr, Member
 
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.held import Held, all_ways
@@ -38,16 +39,25 @@ class BehindCalls:
         ways = self.folder.flow.left(run, held.name)
         if ways:
             return ways, inner
+        if any(self.folder.flow.left(run, whole) for whole in _wholes(held.name)):
+            end = inner.within(run.end, len(inner.func.fact.body))
+            return (Held("value", held.name, _member(held.name), end),), inner
         if self._is_changed_unseen(held, inner):
             return (Held("lost", held.name),), inner
         return (held.before, env) if not run.end.called else ((Held("shared", held.name),), inner)
 
     def _is_changed_unseen(self, held: Held, env: Env) -> bool:
-        """Whether a method may have changed a member by a name that its run does not hold: no text of Python."""
-        if held.name not in self.folder.flow.outline(env.func).by_other_names:
+        """Whether a method may have changed a member in a way that its run does not hold.
+
+        By another name, in a function within it, or by a method of the member. A text of Python is never changed so.
+        """
+        outline = self.folder.flow.outline(env.func)
+        inside = held.name in outline.escaped
+        unseen = outline.by_other_names | self.folder.methods.changed_through(env.func)
+        if not inside and not any(name in unseen for name in (held.name, *_wholes(held.name))):
             return False
         fixed = all(each.how == "value" and is_plain(each.expr) for each in all_ways(held.before))
-        return not (fixed and held.before and env.func.file.language == "python")
+        return inside or not (fixed and held.before and env.func.file.language == "python" and "." not in held.name[1:])
 
     def out(self, held: Held, env: Env) -> tuple[tuple[Held, ...], Env] | None:
         """Return what a parameter of a called function holds when it returns, with the place to evaluate it at."""
@@ -67,3 +77,14 @@ class BehindCalls:
             return ways, inner
         left = field_left(held, ways, run, env, self.folder.flow)
         return (left, inner) if left is not None else None
+
+
+def _wholes(key: str) -> list[str]:
+    """The members that a field lies in, by key."""
+    parts = key.split(".")
+    return [".".join(parts[:count]) for count in range(2, len(parts))]
+
+
+def _member(key: str) -> Expr:
+    """A field of the object at hand as it is written: `this->a.b`."""
+    return reduce(Member, key.split(".")[1:], cast("Expr", THIS))

@@ -57,7 +57,6 @@ from ecm_extract.link.folding.spreading import Spreading
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.folding.typed_numbers import TypedNumbers
-from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
@@ -165,7 +164,7 @@ class Folder:
 
     def _begin_runs(self) -> None:
         """Make those who know what runs of functions leave variables with."""
-        self.nesting = Nesting(self.program)
+        self.nesting = self.scope.nesting
         self.flow = Flow(self)
         self.unset = UnsetVariables(self)
         self.states = ObjectStates(self)
