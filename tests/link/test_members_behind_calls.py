@@ -121,3 +121,65 @@ def test_what_a_method_of_python_changes(workspace: Any, change: str, ask: str, 
     found = workspace.package({"pkg/demo.py": text}).interfaces()
     told_now = {(each.name, each.confidence) for each in found if each.role == "publisher"}
     assert _are_as(told_now, told)
+
+
+IN_CALLBACKS = """
+import rclpy
+from dataclasses import dataclass
+from rclpy.node import Node
+from std_msgs.msg import String
+@dataclass
+class Params:
+    topic: str = 'begun'
+def fill(params):
+    params.topic = 'set'
+class Demo(Node):
+    def __init__(self):
+        super().__init__('demo')
+        self.p = Params()
+        {begin}
+        self.create_timer(1.0, self.tick)
+    def change(self):
+        self.p.topic = 'set'
+    def load(self):
+        self.p.topic = self.declare_parameter('topic', 'set').value
+    def tick(self):
+        self.create_publisher(String, self.p.topic, 1)
+"""
+
+
+@pytest.mark.parametrize(
+    "begin", ["self.change()", "self.load()", "fill(self.p)", "self.p.topic = 'set'", "p = self.p; p.topic = 'set'"]
+)
+def test_what_a_callback_finds_in_a_field_of_python(workspace: Any, begin: str) -> None:
+    """A field of a member is what the methods leave it with, not what its object was made with."""
+    assert workspace.package({"pkg/demo.py": IN_CALLBACKS.format(begin=begin)}).only("publisher").name == "/set"
+
+
+CALLED = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+struct Params {{ std::string topic = "begun"; }};
+static void fill(Params & p) {{ p.topic = "set"; }}
+static void load(rclcpp::Node & n, Params & p) {{ p.topic = n.declare_parameter<std::string>("topic", "set"); }}
+class Demo : public rclcpp::Node {{
+public:
+  Demo() : Node("demo") {{ p_.topic = "own"; {begin} t_ = create_wall_timer(1s, [this]() {{ tick(); }}); }}
+  void tick() {{ create_publisher<std_msgs::msg::String>(p_.topic, 1); }}
+  Params p_;
+}};
+int main() {{ auto node = std::make_shared<Demo>(); }}
+"""
+
+
+@pytest.mark.parametrize("begin", ["fill(p_);", "load(*this, p_);", 'p_ = Params{"set"};'])
+def test_what_a_callback_finds_in_a_field(workspace: Any, begin: str) -> None:
+    """So in C++, where a function gets the member by reference."""
+    assert workspace.package({"src/demo.cpp": CALLED.format(begin=begin)}).only("publisher").name == "/set"
+
+
+def test_a_field_that_one_callback_changes_is_one_of_several(workspace: Any) -> None:
+    """Nobody knows which callback runs first."""
+    begin = "self.create_timer(2.0, self.change)"
+    found = workspace.package({"pkg/demo.py": IN_CALLBACKS.format(begin=begin)}).interfaces()
+    assert {(each.name, each.confidence) for each in found if each.role == "publisher"} != {("/begun", "folded")}

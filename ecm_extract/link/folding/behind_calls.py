@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from functools import reduce
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import THIS, Call, Expr, Member
+from ecm_parsers.source.expr import Call
 
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.held import Held, all_ways
+from ecm_extract.infer.places import as_own, owners
 from ecm_extract.link.folding.fields_left import field_left
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env, invocation_of
@@ -39,9 +39,9 @@ class BehindCalls:
         ways = self.folder.flow.left(run, held.name)
         if ways:
             return ways, inner
-        if any(self.folder.flow.left(run, whole) for whole in _wholes(held.name)):
+        if any(self.folder.flow.left(run, whole) for whole in owners(held.name)):
             end = inner.within(run.end, len(inner.func.fact.body))
-            return (Held("value", held.name, _member(held.name), end),), inner
+            return (Held("value", held.name, as_own(held.name), end),), inner
         if self._is_changed_unseen(held, inner):
             return (Held("lost", held.name),), inner
         return (held.before, env) if not run.end.called else ((Held("shared", held.name),), inner)
@@ -54,7 +54,7 @@ class BehindCalls:
         outline = self.folder.flow.outline(env.func)
         inside = held.name in outline.escaped
         unseen = outline.by_other_names | self.folder.methods.changed_through(env.func)
-        if not inside and not any(name in unseen for name in (held.name, *_wholes(held.name))):
+        if not inside and not any(name in unseen for name in (held.name, *owners(held.name))):
             return False
         fixed = all(each.how == "value" and is_plain(each.expr) for each in all_ways(held.before))
         return inside or not (fixed and held.before and env.func.file.language == "python" and "." not in held.name[1:])
@@ -77,14 +77,3 @@ class BehindCalls:
             return ways, inner
         left = field_left(held, ways, run, env, self.folder.flow)
         return (left, inner) if left is not None else None
-
-
-def _wholes(key: str) -> list[str]:
-    """The members that a field lies in, by key."""
-    parts = key.split(".")
-    return [".".join(parts[:count]) for count in range(2, len(parts))]
-
-
-def _member(key: str) -> Expr:
-    """A field of the object at hand as it is written: `this->a.b`."""
-    return reduce(Member, key.split(".")[1:], cast("Expr", THIS))

@@ -46,6 +46,7 @@ from ecm_extract.link.folding.iterators import Iterators
 from ecm_extract.link.folding.kept_objects import KeptObjects
 from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.list_defaults import ListDefaults
+from ecm_extract.link.folding.member_fields import MemberFields
 from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.module_objects import ModuleObjects
 from ecm_extract.link.folding.optionals import OptionalFolder
@@ -141,7 +142,6 @@ class Folder:
         self.numbers = TypedNumbers(self)
         self.streams = StreamFolder(self)
         self.held = HeldFolder(self)
-        self.behind_calls = BehindCalls(self)
         self.messages = MessageFolder(self)
         self.cuts = self.cycles = 0
         self.faults = Faults()
@@ -154,6 +154,8 @@ class Folder:
 
     def _begin_classes(self) -> None:
         """Make those who know what Python makes of classes, and what objects give when they are asked."""
+        self.behind_calls = BehindCalls(self)
+        self.member_fields = MemberFields(self)
         self.redefined = Redefined(self)
         self.class_names = ClassNames(self)
         self.enums = EnumFolder(self)
