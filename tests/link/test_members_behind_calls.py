@@ -183,3 +183,27 @@ def test_a_field_that_one_callback_changes_is_one_of_several(workspace: Any) -> 
     begin = "self.create_timer(2.0, self.change)"
     found = workspace.package({"pkg/demo.py": IN_CALLBACKS.format(begin=begin)}).interfaces()
     assert {(each.name, each.confidence) for each in found if each.role == "publisher"} != {("/begun", "folded")}
+
+
+HANDED = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+def fill(node):
+    node.topic = 'set'
+class Demo(Node):
+    def __init__(self):
+        super().__init__('demo')
+        self.topic = 'own'
+        {begin}
+        self.create_publisher(String, self.topic, 1)
+    def change(self):
+        fill(self)
+"""
+
+
+@pytest.mark.parametrize("begin", ["fill(self)", "self.change()"])
+def test_a_function_that_gets_the_object_at_hand_changes_it(workspace: Any, begin: str) -> None:
+    """Who is handed `self` may give it what he likes, though he need not say what he gets."""
+    found = workspace.package({"pkg/demo.py": HANDED.format(begin=begin)}).interfaces()
+    assert _are_as({(each.name, each.confidence) for each in found if each.role == "publisher"}, OPEN)
