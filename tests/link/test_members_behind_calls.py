@@ -16,9 +16,12 @@ class Demo : public rclcpp::Node {{
 public:
   Demo() : Node("demo") {{ p_.topic = "own"; q_.topic = "own"; name_ = "own"; {begin} {ask} }}
   void pub(const std::string & name) {{ create_publisher<std_msgs::msg::String>(name, 1); }}
+  Params & shown() {{ return p_; }}
+  void again() {{ name_ = "set"; }}
   Params made() {{ Params p; p.topic = "set"; return p; }}
   void change() {{ {change} }}
   Params p_, q_; std::shared_ptr<Params> shared_ = std::make_shared<Params>();
+  Params * pointer_ = &p_; Params & reference_ = p_; std::once_flag flag_;
   std::vector<Params> all_; std::string name_; std::string read_ = "begun";
 }};
 int main() {{ auto node = std::make_shared<Demo>(); }}
@@ -38,6 +41,11 @@ ROWS = [
     ("a function that gets it", "fill(p_);", P, OPEN),
     ("a function of elsewhere that gets it", "other::fill(p_);", P, OPEN),
     ("a method of it", "p_.load();", P, OPEN),
+    ("what a method shows", 'shown().topic = "set";', P, "set"),
+    ("a member that points to it", 'pointer_->topic = "set";', P, OPEN),
+    ("a member that refers to it", 'reference_.topic = "set";', P, OPEN),
+    ("one of two", 'auto & r = other::yes() ? p_ : q_; r.topic = "set";', P, OPEN),
+    ("a method that is called once", "std::call_once(flag_, &Demo::again, this);", "pub(name_);", "set"),
     ("a lambda that is called", 'auto f = [this]() { name_ = "set"; }; f();', "pub(name_);", OPEN),
     ("a lambda that is handed on", 'run([this]() { name_ = "set"; });', "pub(name_);", OPEN),
 ]
@@ -96,6 +104,8 @@ class Demo(Node):
         {ask}
     def pub(self, name):
         self.create_publisher(String, name, 1)
+    def put(self, name):
+        self.name = name
     def change(self):
         {change}
 """
@@ -110,6 +120,7 @@ OF_PYTHON = [
     ("a method of it", "self.p.load()", "self.pub(self.p.topic)", OPEN),
     ("a text by another name", "name = self.name; name += 'x'", "self.pub(self.name)", "own"),
     ("any field", "for key in ('name',): setattr(self, key, 'set')", "self.pub(self.name)", OPEN),
+    ("a method that map calls", "list(map(self.put, ['set']))", "self.pub(self.name)", OPEN),
     ("a function within", "def inner(): self.name = 'set'\n        inner()", "self.pub(self.name)", OPEN),
 ]
 
