@@ -218,3 +218,23 @@ def test_a_function_that_gets_the_object_at_hand_changes_it(workspace: Any, begi
     """Who is handed `self` may give it what he likes, though he need not say what he gets."""
     found = workspace.package({"pkg/demo.py": HANDED.format(begin=begin)}).interfaces()
     assert _are_as({(each.name, each.confidence) for each in found if each.role == "publisher"}, OPEN)
+
+
+def test_a_field_that_no_constructor_gives_anything_may_be_as_it_was_made(workspace: Any) -> None:
+    """What one method makes of it is not all: another one may find it as its object was made."""
+    text = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+struct Params { std::string topic; std::string space = "begun"; };
+class Demo : public rclcpp::Node {
+public:
+  Demo() : Node("demo") {}
+  Params remade() { Params p{"x"}; p.space = "set"; return p; }
+  void change() { p_ = remade(); }
+  void start() { p_.topic = "own"; create_publisher<std_msgs::msg::String>(p_.space, 1); }
+  Params p_{"made"};
+};
+int main() { auto node = std::make_shared<Demo>(); node->start(); rclcpp::spin(node); }
+"""
+    found = workspace.package({"src/demo.cpp": text}).interfaces()
+    assert _are_as({(each.name, each.confidence) for each in found if each.role == "publisher"}, OPEN)
