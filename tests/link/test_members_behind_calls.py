@@ -238,3 +238,24 @@ int main() { auto node = std::make_shared<Demo>(); node->start(); rclcpp::spin(n
 """
     found = workspace.package({"src/demo.cpp": text}).interfaces()
     assert _are_as({(each.name, each.confidence) for each in found if each.role == "publisher"}, OPEN)
+
+
+def test_a_member_that_a_method_makes_anew_may_be_as_it_was_declared(workspace: Any) -> None:
+    """A method of an object that another method replaces finds the one of its declaration, too."""
+    text = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+struct Params { std::string topic; std::string space = "begun"; std::string full() const { return space; } };
+class Demo : public rclcpp::Node {
+public:
+  Demo() : Node("demo") {}
+  Params remade() { Params p{"x"}; p.space = "set"; return p; }
+  void change() { p_ = remade(); }
+  void start() { create_publisher<std_msgs::msg::String>(p_.full(), 1); }
+  Params p_{"made"};
+};
+int main() { auto node = std::make_shared<Demo>(); node->start(); rclcpp::spin(node); }
+"""
+    found = workspace.package({"src/demo.cpp": text}).interfaces()
+    told = {(each.name, each.confidence) for each in found if each.role == "publisher"}
+    assert ("/{space}", "pattern") in told

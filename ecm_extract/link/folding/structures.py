@@ -258,7 +258,14 @@ class StructureFolder:
         if helds or cls is None or not key.startswith(".") or key.count(".") > 1:
             return helds
         found = self.folder.members.sources(key.removeprefix("."), cls, env)
-        return {held if held.env is not None else replace(held, env=place) for held, place in found}
+        begun = self._declared_with(key[1:], cls) and not any(place.func.is_constructor for _, place in found)
+        first = {Held("given", key)} if found and begun else set()  # as declared, until one of these methods runs
+        return first | {held if held.env is not None else replace(held, env=place) for held, place in found}
+
+    def _declared_with(self, name: str, cls: Cls) -> bool:
+        """Whether a member of C++ is declared with a value."""
+        owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
+        return owner is not None and owner.file.language == "cpp" and owner.fields[name].default is not None
 
     def _made(self, expr: Expr, env: Env) -> Bound | None:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
