@@ -150,7 +150,16 @@ class NameFolder:
         if found is not None:
             return self._of_namespace(name, found, env)
         known = self.folder.program.message_constant(name, env.func.file, env.scope)
-        return _read(outside_constants().get(last_name(name)) if known is None else known)
+        told = _read(outside_constants().get(last_name(name)) if known is None else known)
+        return told or self._begun_empty(name, env)
+
+    def _begun_empty(self, name: str, env: Env) -> tuple[Value, ...]:
+        """A variable of a namespace that is declared without a value: what functions read into it."""
+        stated = self.folder.objects.file_scope.meant(name, env.func)
+        if stated is None or stated.constant.value is not None or "enum" in stated.constant.traits:
+            return ()
+        left = self.folder.guarded(("outside", stated.constant), name, lambda: self._left_outside(name, env))
+        return alternatives(left) if left else ()
 
     def _of_namespace(self, name: str, found: tuple[Constant, File], env: Env) -> tuple[Value, ...]:
         """A constant, or a variable that functions may assign to."""
@@ -160,7 +169,23 @@ class NameFolder:
         values = demoted(self.folder.fold(constant.value, self.stated_at(constant, file, env)))
         if "default" in constant.traits:
             values = lowered(values, "default")
-        return alternatives((*values, unknown(name))) if self.may_change(name, constant, env) else values
+        if not self.may_change(name, constant, env):
+            return values
+        left = self.folder.guarded(("outside", constant), name, lambda: self._left_outside(name, env))
+        first = [value for value in values if value.text and value.confidence != "pattern"]
+        return alternatives((*first, *left)) if left else alternatives((*values, unknown(name)))
+
+    def _left_outside(self, name: str, env: Env) -> tuple[Value, ...]:
+        """What functions read parameters into a variable of a namespace; nothing where one does anything else."""
+        found: list[Value] = []
+        for func, key in self.folder.outside.changers(name, env.func).items():
+            place = Env(func, depth=env.depth + 1)
+            ways = self.folder.flow.left(self.folder.flow.run(place), key) if func is not env.func else ()
+            values = self.folder.held.of([ways], place) if ways else ()
+            if not values or any(value.confidence != "default" for value in values):
+                return ()
+            found += values
+        return tuple(found)
 
     def stated_at(self, constant: Constant, file: File, env: Env) -> Env:
         """Return a place at which names mean what they mean in the value of a constant: in its namespace or class."""
@@ -173,9 +198,9 @@ class NameFolder:
 
     def may_change(self, name: str, constant: Constant, env: Env) -> bool:
         """Tell whether a variable of a namespace may hold something else than what it is declared with."""
-        if _is_fixed(constant) or not self.folder.objects.file_scope.is_changed(name, env):
-            return False
-        return not self.folder.outside.is_followed(name, env.func)
+        outside = self.folder.outside
+        changed = self.folder.objects.file_scope.is_changed(name, env) or bool(outside.changers(name, env.func))
+        return changed and not _is_fixed(constant) and not outside.is_followed(name, env.func)
 
     def at_file(self, file: File, env: Env) -> Env:
         """Return a place at which the names of a file are known; the one at hand where the file has none."""

@@ -39,6 +39,13 @@ class OutsideVariables:
         own = self._meant(name, func)
         return own is not None and self._of(own) == frozenset()
 
+    def changers(self, name: str, func: Func) -> Mapping[Func, str]:
+        """Return the functions that give a variable something, with its key there; none where not all are known."""
+        own = self._meant(name, func)
+        found = self._of(own) if own is not None else None
+        written = self.written(own) if own is not None and found else None
+        return {each: written[each] for each in found if each in written} if found and written is not None else {}
+
     def _meant(self, name: str, func: Func) -> Stated | None:
         if func.file.language != "cpp":
             return None
