@@ -13,6 +13,12 @@ HEAD = {
 LIB, BIN = "LIBRARY DESTINATION lib", "RUNTIME DESTINATION lib/pkg"
 INCLUDE = "${CATKIN_PACKAGE_INCLUDE_DESTINATION}"
 PROGRAMS = "${CATKIN_PACKAGE_BIN_DESTINATION}"
+LAUNCH_FILE = """from launch import LaunchDescription
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
 BUILT = "add_executable(run a.cpp)\n"
 CHAIN = """add_library(core SHARED a.cpp)
 add_library(part a.cpp)
@@ -71,6 +77,30 @@ def test_install_rules(workspace: Workspace, ros: int, text: str, expected: list
     }
     found = [finding.rule for finding in lint(workspace.package(files, ros=ros).root)]
     assert [rule for rule in found if "LNT057" <= rule <= "LNT060"] == expected
+
+
+OPEN = "execute_process(COMMAND where OUTPUT_VARIABLE PLACE)\n"
+OPEN_ROWS = [
+    ("install(PROGRAMS ${PLACE}/run DESTINATION lib/pkg)", True),
+    ("install(TARGETS ${PLACE} DESTINATION lib/pkg)", True),
+    ("install(DIRECTORY maps/${PLACE} DESTINATION share/pkg)", True),
+    ("install(DIRECTORY ${PLACE}/maps DESTINATION share/pkg)", True),
+    ("install(FILES ${PLACE}.yaml DESTINATION share/pkg)", True),
+    ("install(DIRECTORY ${PLACE} DESTINATION include)", True),
+    ("install(DIRECTORY ${PLACE} DESTINATION share/pkg)", False),
+    ("install(DIRECTORY ${PLACE} DESTINATION ${PLACE})", False),
+    ("install(DIRECTORY ${PLACE}/launch DESTINATION share/pkg)", False),
+    ("install(DIRECTORY lau${PLACE} DESTINATION share/pkg)", False),
+    ("install(FILES launch/${PLACE}.launch.py DESTINATION share/pkg)", False),
+]
+
+
+@pytest.mark.parametrize(("rule", "told"), OPEN_ROWS)
+def test_a_rule_with_a_name_that_only_cmake_knows(workspace: Workspace, rule: str, told: bool) -> None:
+    """LNT043: it leaves open what it may install, and nothing else."""
+    files = {"CMakeLists.txt": f"{HEAD[2]}{OPEN}{rule}\n", "launch/a.launch.py": LAUNCH_FILE}
+    found = [finding.rule for finding in lint(workspace.package(files, ros=2).root)]
+    assert ("LNT043" in found) is told
 
 
 @pytest.mark.parametrize("marker", ["COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"])

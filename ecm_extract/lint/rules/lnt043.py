@@ -11,7 +11,13 @@ from ecm_parsers.launch.model import Node
 from ecm_parsers.launch.templates import all_actions, plain_text
 from ecm_parsers.package_references import parse_references
 
-from ecm_extract.entities.install_rules import installed_targets, is_open, lives_in_devel_space
+from ecm_extract.entities.install_rules import (
+    installed_targets,
+    is_unread,
+    lives_in_devel_space,
+    may_install_file,
+    may_install_target,
+)
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
@@ -28,6 +34,7 @@ RULE = LintRule(
     tier="preview",
 )
 _SHOWN = 5
+_SHARE = "share"
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
 _NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
 _NAMING = (".launch", ".launch.xml", ".xacro", ".urdf")
@@ -45,7 +52,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for package in workspace.packages:
         path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
         is_python = bool(package.setups) and package.ros == 2
-        if path not in package.cmake or package.root.rosbuild or is_python or is_open(package):
+        if path not in package.cmake or package.root.rosbuild or is_python or is_unread(package):
             continue
         found = list(_left_out(package, path, launched.get(package.name, set()), named, workspace))
         yield from map(_never_installed, found[:1]) if lives_in_devel_space(package) else found
@@ -55,7 +62,8 @@ def _left_out(
     package: PackageFacts, path: str, started: set[str], named: dict[str, set[str]], workspace: Workspace
 ) -> Iterator[Finding]:
     scripts = _scripts(package, started) if not package.setups else set()  # setup.py may install some
-    missing = sorted(_programs(package) - installed_targets(package) | scripts)
+    built = {name for name in _programs(package) if not may_install_target(name, package)}
+    missing = sorted(built - installed_targets(package) | scripts)
     if missing:
         used = sorted(set(missing) & started)
         level: Severity = "error" if used and package.ros == 2 else "warning" if used else "info"
@@ -120,7 +128,7 @@ def _missing(names: set[str], package: PackageFacts) -> set[str]:
     """Those of these files of a package that are there and that no rule installs."""
     root = f"{package.root.path}/" if package.root.path else ""
     there = {entry.path for entry in package.root.files}
-    return {name for name in names if f"{root}{name}" in there and not _is_covered(f"{root}{name}", package)}
+    return {name for name in names if f"{root}{name}" in there and not _is_shared(f"{root}{name}", package)}
 
 
 def _programs(package: PackageFacts) -> set[str]:
@@ -142,19 +150,25 @@ def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
         facts = package.sources.get(entry.path)
         is_program = facts is not None and bool(facts.shebang) and f"{folder}/__init__.py" not in package.sources
         if (is_program or (name in started and name.endswith(_SCRIPTS))) and name not in _BUILD:
-            (covered if _is_covered(entry.path, package) else found).add(name)
+            is_covered = _is_covered(entry.path, package) or may_install_file(entry.path, package)
+            (covered if is_covered else found).add(name)
     return found - covered
 
 
 def _launch_files(package: PackageFacts, workspace: Workspace) -> set[str]:
     own = [path for path in workspace.launches if workspace.package_of(path) == package.name and not _is_trial(path)]
     root = f"{package.root.path}/" if package.root.path else ""
-    return {path.removeprefix(root) for path in own if not _is_covered(path, package)}
+    return {path.removeprefix(root) for path in own if not _is_shared(path, package)}
 
 
 def _is_trial(path: str) -> bool:
     """Tell whether a launch file is for a trial beside the sources: by its name, or that of its folder."""
     return ".test." in path or any(part.startswith("test") for part in path.split("/"))
+
+
+def _is_shared(path: str, package: PackageFacts) -> bool:
+    """Tell whether a rule puts a file into the share folder, or may do so by a name that only CMake knows."""
+    return _is_covered(path, package) or may_install_file(path, package, _SHARE)
 
 
 def _is_covered(path: str, package: PackageFacts) -> bool:
