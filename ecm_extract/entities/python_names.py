@@ -51,7 +51,8 @@ def modules(facts: PackageFacts) -> dict[str, str]:
 
 def makes_modules(facts: PackageFacts) -> bool:
     """Tell whether the build of a package may add modules to it."""
-    return any(_is_of_modules(command) for file in facts.cmake.values() for command in file.commands)
+    set_up = any(setup.makes_modules for setup in facts.setups.values())
+    return set_up or any(_is_of_modules(command) for file in facts.cmake.values() for command in file.commands)
 
 
 def _is_of_modules(command: Command) -> bool:

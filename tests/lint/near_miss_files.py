@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 Files = Mapping[str, str]
 
+SETUP = "setup(name='pkg', packages=['pkg'], package_dir={'': 'src'})\n"
 CMAKE = "add_executable({0} src/{0}.cpp)\ninstall(TARGETS {0} RUNTIME DESTINATION lib)\n"
 WHEELS = '<?xml version="1.0"?><robot name="a" xmlns:xacro="http://ros.org/wiki/xacro">{}</robot>'
 JOINT = (
@@ -79,6 +80,15 @@ def remapped(source: str) -> Files:
     return {
         "scripts/a.py": script("a", *lines),
         "launch/a.launch": launch(node("a", "a.py", f'<remap from="{source}" to="robot"/>')),
+    }
+
+
+def given_to_port(topic: str) -> Files:
+    """A remap of a name that a behaviour tree may give to the node."""
+    action = f'<Action ID="Go" topic="{topic}"/>'
+    return {
+        **remapped("goal_pose"),
+        "trees/a.xml": f'<root BTCPP_format="4"><BehaviorTree ID="A">{action}</BehaviorTree></root>',
     }
 
 
@@ -199,6 +209,15 @@ def fetched(name: str) -> Files:
     return {"package.xml": own, "deps.rosinstall": listed}
 
 
+def misspelled(started: str) -> Files:
+    """A name of package.xml that a list of sources has, and a package that a launch file starts."""
+    return {
+        "package.xml": manifest("micro-arm-agent"),
+        "deps.rosinstall": "- git:\n    local-name: micro-arm-agent\n    uri: https://example.org/setup.git\n",
+        "launch/a.launch": launch(f'<node name="a" pkg="{started}" type="a"/>'),
+    }
+
+
 def given(target: str) -> Files:
     inner = launch(
         '<arg name="labels" default="/decomposer/label"/>',
@@ -213,17 +232,35 @@ def given(target: str) -> Files:
     }
 
 
-def analyzed(package: str) -> Files:
+def analyzed(package: str, prefix: str = "gone") -> Files:
     analyzer = (
-        "analyzers:\n  a:\n    type: diagnostic_aggregator/GenericAnalyzer\n    path: A\n    remove_prefix: gone\n"
+        f"analyzers:\n  a:\n    type: diagnostic_aggregator/GenericAnalyzer\n    path: A\n    remove_prefix: {prefix}\n"
     )
     load = '<rosparam command="load" file="$(find pkg)/param/d.yaml"/>'
-    aggregator = f'<node name="d" pkg="diagnostic_aggregator" type="aggregator_node">{load}</node>'
+    aggregator = f'<node name="drives" pkg="diagnostic_aggregator" type="aggregator_node">{load}</node>'
     return {
         "param/d.yaml": analyzer,
         "launch/b.launch": launch(node("b", "b.py")),
         "scripts/b.py": script("b"),
         "launch/a.launch": launch(f'<include file="$(find {package})/launch/b.launch"/>', aggregator),
+    }
+
+
+def states(updater: str) -> Files:
+    """What publishes diagnostics, and a package.xml that names what it does so with."""
+    taken = "diagnostic_msgs.msg.DiagnosticArray, queue_size=1"
+    line = f"import diagnostic_msgs.msg\nrospy.Publisher('/diagnostics', {taken})"
+    return {**analyzed("pkg"), "scripts/b.py": script("b", line), "package.xml": manifest(updater)}
+
+
+def asked_of_build(command: str, set_up: str = "") -> Files:
+    """A module that imports another one of its package, which no file holds; the build is given."""
+    head = "find_package(catkin REQUIRED)\ncatkin_package()\n"
+    return {
+        "CMakeLists.txt": f"project(pkg)\n{head}{command}\n",
+        "setup.py": f"from setuptools import setup\n{set_up}\n{SETUP}",
+        "src/pkg/__init__.py": "",
+        "src/pkg/a.py": "from pkg.made import Made\n\nMade()\n",
     }
 
 

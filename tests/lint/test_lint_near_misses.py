@@ -114,6 +114,33 @@ ROWS = [
         files_of.given("/decomposer/label"),
         "info",
     ),
+    ("spelled otherwise", "LNT055", 1, files_of.misspelled("other"), files_of.misspelled("micro_arm_agent"), None),
+    ("given to a port", "LNT006", 1, files_of.given_to_port("goal_pose"), files_of.given_to_port("start"), None),
+    (
+        "a module of parameters",
+        "LNT011",
+        1,
+        files_of.asked_of_build("", "generate_parameter_module('made', find())"),
+        files_of.asked_of_build("", "generate_other_module('made', find())"),
+        None,
+    ),
+    (
+        "a module of protoc",
+        "LNT011",
+        1,
+        files_of.asked_of_build("add_custom_target(made ALL COMMAND protoc --python_out=src/pkg made.proto)"),
+        files_of.asked_of_build("add_custom_target(made ALL COMMAND doxygen made.proto)"),
+        None,
+    ),
+    ("how a name begins", "LNT040", 1, files_of.analyzed("pkg", "dri"), files_of.analyzed("pkg", "xd"), None),
+    (
+        "statuses that are named by hand",
+        "LNT040",
+        1,
+        files_of.states("diagnostic_msgs"),
+        files_of.states("diagnostic_updater"),
+        None,
+    ),
     ("nodes of another repository", "LNT040", 1, files_of.analyzed("other_bringup"), files_of.analyzed("pkg"), None),
 ]
 

@@ -29,18 +29,47 @@ _LONG: Final = 9
 _VENDOR: Final = re.compile(r"(?:lib)?(?:ignition|gz|sdformat|gazebo)(?:-[a-z]+)*-?\d+(?:-dev)?")
 """Keys of the list of Gazebo's makers (github.com/osrf/osrf-rosdep), where each major version has its own."""
 _MANIFEST: Final = "package.xml"
+_LAUNCHING: Final = ("starts", "includes_launch")
+"""Uses by which launch files name packages."""
 
 
 def tell(known: Known) -> Iterator[Finding]:
     """Report each name once for a package; what holds under a condition only is left alone."""
-    own = frozenset(known.packages.by_name)
+    own, launched = frozenset(known.packages.by_name), _launched(known)
     found, first = _by_build(known), dict[tuple[str, str], Asked]()
     for asked in known.asked("depends"):
         if asked.path.endswith(_MANIFEST):
             first.setdefault((asked.consumer.name, asked.requirement.name), asked)
     for (package, name), asked in first.items():
-        if name not in own | known.elsewhere and not asked.requirement.conditions and _VENDOR.fullmatch(name) is None:
+        if name in own or asked.requirement.conditions or _VENDOR.fullmatch(name) is not None:
+            continue
+        used = launched.get(package, frozenset()) - known.needed_by(package)
+        meant = next((each for each in sorted(used) if _spelled(each) == _spelled(name)), None)
+        if meant is not None and known_packages().get(name) is None:
+            yield _misspelled(asked, meant)
+        elif name not in known.elsewhere:
             yield from _of(asked, found.get(package, frozenset()), own)
+
+
+def _launched(known: Known) -> dict[str, frozenset[str]]:
+    """Names of packages that launch files of each package use."""
+    found: dict[str, set[str]] = {}
+    for use in _LAUNCHING:
+        for asked in known.asked(use):
+            if asked.requirement.package:
+                found.setdefault(asked.consumer.name, set()).add(asked.requirement.package)
+    return {package: frozenset(names) for package, names in found.items()}
+
+
+def _spelled(name: str) -> str:
+    return name.replace("-", "_").lower()
+
+
+def _misspelled(asked: Asked, meant: str) -> Finding:
+    """A list of sources that has the same slip does not help: the name that launch files ask for is another one."""
+    name, package = asked.requirement.name, asked.consumer
+    text = f"{package.name} asks for {name}, and its launch files use {meant}"
+    return RULE.finding(text, Entity("package", name), package.name, asked.requirement.evidence, severity="error")
 
 
 def _by_build(known: Known) -> dict[str, frozenset[str]]:
