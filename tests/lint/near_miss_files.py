@@ -6,7 +6,6 @@ from collections.abc import Mapping
 
 Files = Mapping[str, str]
 
-SETUP = "setup(name='pkg', packages=['pkg'], package_dir={'': 'src'})\n"
 CMAKE = "add_executable({0} src/{0}.cpp)\ninstall(TARGETS {0} RUNTIME DESTINATION lib)\n"
 WHEELS = '<?xml version="1.0"?><robot name="a" xmlns:xacro="http://ros.org/wiki/xacro">{}</robot>'
 JOINT = (
@@ -251,17 +250,6 @@ def states(updater: str) -> Files:
     taken = "diagnostic_msgs.msg.DiagnosticArray, queue_size=1"
     line = f"import diagnostic_msgs.msg\nrospy.Publisher('/diagnostics', {taken})"
     return {**analyzed("pkg"), "scripts/b.py": script("b", line), "package.xml": manifest(updater)}
-
-
-def asked_of_build(command: str, set_up: str = "") -> Files:
-    """A module that imports another one of its package, which no file holds; the build is given."""
-    head = "find_package(catkin REQUIRED)\ncatkin_package()\n"
-    return {
-        "CMakeLists.txt": f"project(pkg)\n{head}{command}\n",
-        "setup.py": f"from setuptools import setup\n{set_up}\n{SETUP}",
-        "src/pkg/__init__.py": "",
-        "src/pkg/a.py": "from pkg.made import Made\n\nMade()\n",
-    }
 
 
 def named_alike(kind: str) -> Files:

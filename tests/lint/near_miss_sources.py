@@ -1,8 +1,10 @@
-"""Small C++ packages of which one shows something and another nearly does."""
+"""Small packages of sources of which one shows something and another nearly does."""
 
 from __future__ import annotations
 
 from near_miss_files import CMAKE, Files, launch, node
+
+SETUP = "setup(name='pkg', packages=['pkg'], package_dir={'': 'src'})\n"
 
 
 def copied(name: str) -> Files:
@@ -76,3 +78,23 @@ def made_by_build(listed: str) -> Files:
 def configured(path: str) -> Files:
     installed = f"install(PROGRAMS ${{CATKIN_DEVEL_PREFIX}}/{path} DESTINATION bin)\n"
     return {"CMakeLists.txt": installed + CMAKE.format("a"), "launch/a.launch": launch(node("r", "runner"))}
+
+
+def asked_of_build(command: str, set_up: str = "") -> Files:
+    """A module that imports another one of its package, which no file holds; the build is given."""
+    head = "find_package(catkin REQUIRED)\ncatkin_package()\n"
+    return {
+        "CMakeLists.txt": f"project(pkg)\n{head}{command}\n",
+        "setup.py": f"from setuptools import setup\n{set_up}\n{SETUP}",
+        "src/pkg/__init__.py": "",
+        "src/pkg/a.py": "from pkg.made import Made\n\nMade()\n",
+    }
+
+
+def in_folder(name: str) -> Files:
+    """A module of a folder without an `__init__.py`, and one that imports the folder."""
+    return {
+        **asked_of_build(""),
+        "src/pkg/arms/left.py": "LENGTH = 1\n",
+        "src/pkg/a.py": f"from pkg.{name} import left\n\nprint(left.LENGTH)\n",
+    }

@@ -103,6 +103,39 @@ def test_a_rule_with_a_name_that_only_cmake_knows(workspace: Workspace, rule: st
     assert ("LNT043" in found) is told
 
 
+OLD = '<launch><node pkg="pkg" type="run" name="run" output="screen"/></launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "told"),
+    [
+        ("launch/a.launch.py", LAUNCH_FILE, True),
+        ("launch/a_test.launch.py", LAUNCH_FILE, False),
+        ("launch/test_a.launch.py", LAUNCH_FILE, False),
+        ("launch/a.launch", OLD, False),
+    ],
+)
+def test_launch_files_that_nobody_misses(workspace: Workspace, path: str, text: str, told: bool) -> None:
+    """LNT043: those for a trial beside the sources, and those of ROS 1 in a package of ROS 2."""
+    files = {"CMakeLists.txt": f"{HEAD[2]}install(DIRECTORY maps DESTINATION share/pkg)\n", path: text}
+    found = [finding.rule for finding in lint(workspace.package(files, ros=2).root)]
+    assert ("LNT043" in found) is told
+
+
+@pytest.mark.parametrize(("ros", "told"), [(1, True), (2, False)])
+def test_files_that_launch_files_of_ros_1_name(workspace: Workspace, ros: int, told: bool) -> None:
+    """LNT043: in a package of ROS 2 nothing loads them."""
+    start = '<node pkg="rviz" type="rviz" name="rviz" output="screen" args="-d $(find pkg)/rviz/a.rviz"/>'
+    share = {1: "${CATKIN_PACKAGE_SHARE_DESTINATION}", 2: "share/pkg"}[ros]
+    files = {
+        "CMakeLists.txt": f"{HEAD[ros]}install(DIRECTORY launch DESTINATION {share})\n",
+        "launch/a.launch": f"<launch>{start}</launch>\n",
+        "rviz/a.rviz": "Panels: []\n",
+    }
+    found = [finding.rule for finding in lint(workspace.package(files, ros=ros).root)]
+    assert ("LNT043" in found) is told
+
+
 @pytest.mark.parametrize("marker", ["COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"])
 def test_a_folder_of_a_package_with_a_marker(workspace: Workspace, marker: str) -> None:
     """LNT059: a marker hides packages from the build tool, and no files from the install rules around it."""

@@ -35,6 +35,7 @@ RULE = LintRule(
 )
 _SHOWN = 5
 _SHARE = "share"
+_ROS_2 = 2
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
 _NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
 _NAMING = (".launch", ".launch.xml", ".xacro", ".urdf")
@@ -51,7 +52,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     named = _named(workspace)
     for package in workspace.packages:
         path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
-        is_python = bool(package.setups) and package.ros == 2
+        is_python = bool(package.setups) and package.ros == _ROS_2
         if path not in package.cmake or package.root.rosbuild or is_python or is_unread(package):
             continue
         found = list(_left_out(package, path, launched.get(package.name, set()), named, workspace))
@@ -66,7 +67,7 @@ def _left_out(
     missing = sorted(built - installed_targets(package) | scripts)
     if missing:
         used = sorted(set(missing) & started)
-        level: Severity = "error" if used and package.ros == 2 else "warning" if used else "info"
+        level: Severity = "error" if used and package.ros == _ROS_2 else "warning" if used else "info"
         yield _finding(package, path, "program", used or missing, level)
     files = sorted(_launch_files(package, workspace))
     described = sorted(_missing(_described(package), package))
@@ -115,7 +116,8 @@ def _named(workspace: Workspace) -> dict[str, set[str]]:
 def _naming(workspace: Workspace) -> Iterator[str]:
     for package in workspace.packages:
         paths = (entry.path for entry in package.root.files if entry.path.endswith(_NAMING))
-        yield from (path for path in paths if not is_test_path(path, package.root.path))
+        old = _left_over(package, workspace)
+        yield from (path for path in paths if path not in old and not is_test_path(path, package.root.path))
 
 
 def _described(package: PackageFacts) -> set[str]:
@@ -156,14 +158,22 @@ def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
 
 
 def _launch_files(package: PackageFacts, workspace: Workspace) -> set[str]:
-    own = [path for path in workspace.launches if workspace.package_of(path) == package.name and not _is_trial(path)]
+    paths = sorted(workspace.launches.keys() - _left_over(package, workspace))
+    own = [path for path in paths if workspace.package_of(path) == package.name and not _is_trial(path)]
     root = f"{package.root.path}/" if package.root.path else ""
     return {path.removeprefix(root) for path in own if not _is_shared(path, package)}
 
 
+def _left_over(package: PackageFacts, workspace: Workspace) -> frozenset[str]:
+    """Launch files of ROS 1, which nothing can load in a package of ROS 2."""
+    old = (path for path, launch in workspace.launches.items() if launch.ros == 1)
+    return frozenset(old) if package.ros == _ROS_2 else frozenset()
+
+
 def _is_trial(path: str) -> bool:
     """Tell whether a launch file is for a trial beside the sources: by its name, or that of its folder."""
-    return ".test." in path or any(part.startswith("test") for part in path.split("/"))
+    parts = [part.partition(".")[0] for part in path.lower().split("/")]
+    return ".test." in path or any(part.startswith("test") or part.endswith("_test") for part in parts)
 
 
 def _is_shared(path: str, package: PackageFacts) -> bool:
