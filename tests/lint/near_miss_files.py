@@ -208,6 +208,11 @@ def fetched(name: str) -> Files:
     return {"package.xml": own, "deps.rosinstall": listed}
 
 
+def from_source(started: str) -> Files:
+    """A package of ROS 2 that asks for one that was released for ROS 1, and the package that its launch file starts."""
+    return {**fetched("other"), "launch/a.launch.xml": f'<launch><node pkg="{started}" exec="a" name="a"/></launch>'}
+
+
 def misspelled(started: str) -> Files:
     """A name of package.xml that a list of sources has, and a package that a launch file starts."""
     return {

@@ -103,6 +103,20 @@ def test_a_rule_with_a_name_that_only_cmake_knows(workspace: Workspace, rule: st
     assert ("LNT043" in found) is told
 
 
+@pytest.mark.parametrize(
+    ("source", "told"), [("src/run.cpp", True), ("test/run.cpp", False), ("src/run_test.cpp", False)]
+)
+def test_programs_that_are_test_code(workspace: Workspace, source: str, told: bool) -> None:
+    """LNT043: what is built of test code alone stays beside the sources, also where a launch file starts it."""
+    files = {
+        "CMakeLists.txt": f"{HEAD[2]}add_executable(run {source})\ninstall(DIRECTORY launch DESTINATION share/pkg)\n",
+        source: "int main() {}\n",
+        "launch/a.launch.xml": '<launch><node pkg="pkg" exec="run"/></launch>\n',
+    }
+    found = [finding.rule for finding in lint(workspace.package(files, ros=2).root)]
+    assert ("LNT043" in found) is told
+
+
 OLD = '<launch><node pkg="pkg" type="run" name="run" output="screen"/></launch>\n'
 
 

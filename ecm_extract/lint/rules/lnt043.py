@@ -134,11 +134,15 @@ def _missing(names: set[str], package: PackageFacts) -> set[str]:
 
 
 def _programs(package: PackageFacts) -> set[str]:
-    root = package.root.path
-    targets = [
-        target for path, file in package.cmake.items() if not is_test_path(path, root) for target in file.targets
-    ]
-    return {target.name for target in targets if target.kind == "executable" and not target.is_test}
+    """Names of the programs of a package; what is built of test code alone is none that others miss."""
+    root, found = package.root.path, set[str]()
+    for path, file in package.cmake.items():
+        folder = f"{path.rpartition('/')[0]}/".lstrip("/")
+        for target in file.targets if not is_test_path(path, root) else ():
+            is_test = all(is_test_path(f"{folder}{source}", root) for source in target.sources) and target.sources
+            if target.kind == "executable" and not target.is_test and not is_test:
+                found.add(target.name)
+    return found
 
 
 def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
@@ -151,7 +155,8 @@ def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
         folder, _, name = entry.path.rpartition("/")
         facts = package.sources.get(entry.path)
         is_program = facts is not None and bool(facts.shebang) and f"{folder}/__init__.py" not in package.sources
-        if (is_program or (name in started and name.endswith(_SCRIPTS))) and name not in _BUILD:
+        is_program = is_program or (name in started and name.endswith(_SCRIPTS))
+        if is_program and name not in _BUILD and not is_test_path(entry.path, package.root.path):
             is_covered = _is_covered(entry.path, package) or may_install_file(entry.path, package)
             (covered if is_covered else found).add(name)
     return found - covered

@@ -48,7 +48,7 @@ def tell(known: Known) -> Iterator[Finding]:
         if meant is not None and known_packages().get(name) is None:
             yield _misspelled(asked, meant)
         elif name not in known.elsewhere:
-            yield from _of(asked, found.get(package, frozenset()), own)
+            yield from _of(asked, _Wanting(found.get(package, frozenset()), launched.get(package, frozenset())), own)
 
 
 def _launched(known: Known) -> dict[str, frozenset[str]]:
@@ -81,21 +81,28 @@ def _by_build(known: Known) -> dict[str, frozenset[str]]:
     return {package: frozenset(names) for package, names in found.items()}
 
 
-def _of(asked: Asked, found: frozenset[str], own: frozenset[str]) -> Iterator[Finding]:
-    """A finding on a name that is not known for the ROS of its package; `found` is what its build looks for."""
+class _Wanting(NamedTuple):
+    """Names of packages that the build of one looks for, and that its launch files use."""
+
+    found: frozenset[str]
+    launched: frozenset[str]
+
+
+def _of(asked: Asked, wanting: _Wanting, own: frozenset[str]) -> Iterator[Finding]:
+    """A finding on a name that is not known for the ROS of its package."""
     name, package = asked.requirement.name, asked.consumer
     where = known_packages().get(name)
     if where is not None and not _is_of_other_ros(where, package.ros):
         return
     level: Severity = "warning"
     if where is not None:
-        if name in found:
-            level = "info"  # its build finds it: somebody has it from source
+        if name in wanting.found | wanting.launched:
+            level = "info"  # its build or a launch finds it: somebody has it from source
         if package.ros == 1:
             level = "info"  # what is released for ROS 2 now may have been there before, unreleased
         text = f"{package.name} asks for {name}, which was released for ROS {where} only"
     else:
-        near = _meant(name, found, own - {package.name})
+        near = _meant(name, wanting.found, own - {package.name})
         text = f"{package.name} asks for {name}, which no distribution and no key of rosdep has"
         text += f"; {near.words} {near.name}" if near else ""
         level = "error" if near else "info"
