@@ -98,3 +98,16 @@ def in_folder(name: str) -> Files:
         "src/pkg/arms/left.py": "LENGTH = 1\n",
         "src/pkg/a.py": f"from pkg.{name} import left\n\nprint(left.LENGTH)\n",
     }
+
+
+def made_of_template(name: str) -> Files:
+    """A launch file that loads a file, and a macro that makes one of another name of a template."""
+    where = "${CMAKE_CURRENT_SOURCE_DIR}/config"
+    made = f"configure_file({where}/arm.yaml.in {where}/${{NAME}}_arm.yaml)"
+    macro = f'macro(make NAME)\nif("${{NAME}}" STREQUAL "left")\n{made}\nendif()\nendmacro()\nmake(left)\n'
+    load = f'<rosparam command="load" file="$(find pkg)/config/{name}_arm.yaml"/>'
+    return {
+        "CMakeLists.txt": f"project(pkg)\nfind_package(catkin REQUIRED)\ncatkin_package()\n{macro}",
+        "config/arm.yaml.in": "a: 1\n",
+        "launch/a.launch": launch(load),
+    }
