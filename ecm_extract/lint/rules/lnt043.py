@@ -31,7 +31,7 @@ RULE = LintRule(
     who="config",
     consequence="it is there where it was built and missing where the package is installed",
     resolution="add install(TARGETS ...), install(PROGRAMS ...) or install(DIRECTORY ...) to CMakeLists.txt",
-    tier="preview",
+    tier="stable",
 )
 _SHOWN = 5
 _SHARE = "share"

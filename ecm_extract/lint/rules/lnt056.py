@@ -22,6 +22,7 @@ RULE = LintRule(
     who="config",
     consequence="the launch stops there",
     resolution="declare the argument, or use the name that is declared",
+    tier="stable",
 )
 _KIND: Final = "launch_argument"
 _ROS_1: Final = 1
