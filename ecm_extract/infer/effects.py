@@ -48,6 +48,7 @@ class Calls:
     writing: Set[str]
     searching: Set[str]
     fluent: Set[str]
+    calling: Set[str]
 
     def waits(self, call: Call) -> bool:
         """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""
@@ -57,7 +58,7 @@ class Calls:
         return isinstance(callee, Name) and callee.id.rsplit("::", 1)[-1] in self.waiting
 
 
-_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching", "fluent")
+_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching", "fluent", "calling")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

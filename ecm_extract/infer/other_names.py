@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Set
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from ecm_parsers.source.expr import Items, Op
+from ecm_parsers.source.expr import Expr, Items, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import shared_names
@@ -73,8 +73,14 @@ def _named_by(entry: Statement, outline: Outline) -> Iterator[_Named]:
     value, effects = entry.value, outline.effects
     whole = value.items if isinstance(value, Items) else (value,) if entry.kind != "each" else ()
     same = {effects.key(each.operands[0] if isinstance(each, Op) and is_address(each) else each) for each in whole}
-    held = {effects.root(value), *(map(effects.key, shared_names(value)) if outline.python else ())}
+    shared = shared_names(value) if outline.python else _sides(value)
+    held = {effects.root(value), *map(effects.key, shared)}
     yield from (_Named(key, key not in same) for key in same | held if key)
+
+
+def _sides(value: Expr | None) -> tuple[Expr, ...]:
+    """What `test ? a : b` is one of."""
+    return value.operands[1:] if isinstance(value, Op) and value.op == "?:" else ()
 
 
 def _binds(entry: Statement, python: bool) -> bool:

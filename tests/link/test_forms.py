@@ -68,6 +68,8 @@ ROWS = [
     ("cpp2", 'create_publisher<std_msgs::msg::String>("chatter", 10);', "publisher", "/chatter", "std_msgs/msg/String"),
     ("cpp2", 'this->create_publisher<std_msgs::msg::String>("~/chatter", 10);', "publisher", "/demo/chatter", "std_msgs/msg/String"),
     ("cpp2", 'auto p = rclcpp::create_publisher<std_msgs::msg::String>(this, "/abs", 10);', "publisher", "/abs", "std_msgs/msg/String"),
+    ("cpp2", 'auto p = std::make_shared<rclcpp::Publisher<std_msgs::msg::String>>(get_node_base_interface().get(), "made", rclcpp::QoS(1), options);', "publisher", "/made", "std_msgs/msg/String"),
+    ("cpp2", 'auto p = std::make_shared<rclcpp_lifecycle::LifecyclePublisher<std_msgs::msg::String>>(get_node_base_interface().get(), "kept", rclcpp::QoS(1), options);', "publisher", "/kept", "std_msgs/msg/String"),
     ("cpp2", 'create_generic_publisher("raw", "std_msgs/msg/String", rclcpp::QoS(10));', "publisher", "/raw", "std_msgs/msg/String"),
     ("cpp2", 'create_subscription<sensor_msgs::msg::LaserScan>("scan", 10, std::bind(&Demo::on_scan, this, std::placeholders::_1));', "subscriber", "/scan", "sensor_msgs/msg/LaserScan"),
     ("cpp2", 'create_service<std_srvs::srv::SetBool>("set", [](auto a, auto b) {});', "service_server", "/set", "std_srvs/srv/SetBool"),

@@ -16,9 +16,12 @@ class Demo : public rclcpp::Node {{
 public:
   Demo() : Node("demo") {{ p_.topic = "own"; q_.topic = "own"; name_ = "own"; {begin} {ask} }}
   void pub(const std::string & name) {{ create_publisher<std_msgs::msg::String>(name, 1); }}
+  Params & shown() {{ return p_; }}
+  void again() {{ name_ = "set"; }}
   Params made() {{ Params p; p.topic = "set"; return p; }}
   void change() {{ {change} }}
   Params p_, q_; std::shared_ptr<Params> shared_ = std::make_shared<Params>();
+  Params * pointer_ = &p_; Params & reference_ = p_; std::once_flag flag_;
   std::vector<Params> all_; std::string name_; std::string read_ = "begun";
 }};
 int main() {{ auto node = std::make_shared<Demo>(); }}
@@ -38,6 +41,11 @@ ROWS = [
     ("a function that gets it", "fill(p_);", P, OPEN),
     ("a function of elsewhere that gets it", "other::fill(p_);", P, OPEN),
     ("a method of it", "p_.load();", P, OPEN),
+    ("what a method shows", 'shown().topic = "set";', P, "set"),
+    ("a member that points to it", 'pointer_->topic = "set";', P, OPEN),
+    ("a member that refers to it", 'reference_.topic = "set";', P, OPEN),
+    ("one of two", 'auto & r = other::yes() ? p_ : q_; r.topic = "set";', P, OPEN),
+    ("a method that is called once", "std::call_once(flag_, &Demo::again, this);", "pub(name_);", "set"),
     ("a lambda that is called", 'auto f = [this]() { name_ = "set"; }; f();', "pub(name_);", OPEN),
     ("a lambda that is handed on", 'run([this]() { name_ = "set"; });', "pub(name_);", OPEN),
 ]
@@ -96,6 +104,8 @@ class Demo(Node):
         {ask}
     def pub(self, name):
         self.create_publisher(String, name, 1)
+    def put(self, name):
+        self.name = name
     def change(self):
         {change}
 """
@@ -110,6 +120,7 @@ OF_PYTHON = [
     ("a method of it", "self.p.load()", "self.pub(self.p.topic)", OPEN),
     ("a text by another name", "name = self.name; name += 'x'", "self.pub(self.name)", "own"),
     ("any field", "for key in ('name',): setattr(self, key, 'set')", "self.pub(self.name)", OPEN),
+    ("a method that map calls", "list(map(self.put, ['set']))", "self.pub(self.name)", OPEN),
     ("a function within", "def inner(): self.name = 'set'\n        inner()", "self.pub(self.name)", OPEN),
 ]
 
@@ -183,3 +194,68 @@ def test_a_field_that_one_callback_changes_is_one_of_several(workspace: Any) -> 
     begin = "self.create_timer(2.0, self.change)"
     found = workspace.package({"pkg/demo.py": IN_CALLBACKS.format(begin=begin)}).interfaces()
     assert {(each.name, each.confidence) for each in found if each.role == "publisher"} != {("/begun", "folded")}
+
+
+HANDED = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+def fill(node):
+    node.topic = 'set'
+class Demo(Node):
+    def __init__(self):
+        super().__init__('demo')
+        self.topic = 'own'
+        {begin}
+        self.create_publisher(String, self.topic, 1)
+    def change(self):
+        fill(self)
+"""
+
+
+@pytest.mark.parametrize("begin", ["fill(self)", "self.change()"])
+def test_a_function_that_gets_the_object_at_hand_changes_it(workspace: Any, begin: str) -> None:
+    """Who is handed `self` may give it what he likes, though he need not say what he gets."""
+    found = workspace.package({"pkg/demo.py": HANDED.format(begin=begin)}).interfaces()
+    assert _are_as({(each.name, each.confidence) for each in found if each.role == "publisher"}, OPEN)
+
+
+def test_a_field_that_no_constructor_gives_anything_may_be_as_it_was_made(workspace: Any) -> None:
+    """What one method makes of it is not all: another one may find it as its object was made."""
+    text = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+struct Params { std::string topic; std::string space = "begun"; };
+class Demo : public rclcpp::Node {
+public:
+  Demo() : Node("demo") {}
+  Params remade() { Params p{"x"}; p.space = "set"; return p; }
+  void change() { p_ = remade(); }
+  void start() { p_.topic = "own"; create_publisher<std_msgs::msg::String>(p_.space, 1); }
+  Params p_{"made"};
+};
+int main() { auto node = std::make_shared<Demo>(); node->start(); rclcpp::spin(node); }
+"""
+    found = workspace.package({"src/demo.cpp": text}).interfaces()
+    assert _are_as({(each.name, each.confidence) for each in found if each.role == "publisher"}, OPEN)
+
+
+def test_a_member_that_a_method_makes_anew_may_be_as_it_was_declared(workspace: Any) -> None:
+    """A method of an object that another method replaces finds the one of its declaration, too."""
+    text = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+struct Params { std::string topic; std::string space = "begun"; std::string full() const { return space; } };
+class Demo : public rclcpp::Node {
+public:
+  Demo() : Node("demo") {}
+  Params remade() { Params p{"x"}; p.space = "set"; return p; }
+  void change() { p_ = remade(); }
+  void start() { create_publisher<std_msgs::msg::String>(p_.full(), 1); }
+  Params p_{"made"};
+};
+int main() { auto node = std::make_shared<Demo>(); node->start(); rclcpp::spin(node); }
+"""
+    found = workspace.package({"src/demo.cpp": text}).interfaces()
+    told = {(each.name, each.confidence) for each in found if each.role == "publisher"}
+    assert ("/{space}", "pattern") in told

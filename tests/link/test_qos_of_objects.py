@@ -107,3 +107,54 @@ def test_a_profile_in_settings(workspace: Any, body: str, expected: tuple[str, i
     """Settings that nobody changes are as they are declared; of others nothing is known."""
     qos = workspace.package({"src/demo.cpp": CPP.format(body=body)}).only("publisher").qos
     assert (qos.reliability, qos.depth) == expected
+
+
+ROWS_OF_PYTHON = """
+import rclpy
+from dataclasses import dataclass
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
+from std_msgs.msg import String
+LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+@dataclass(frozen=True)
+class Row:
+    name: str
+    qos: QoSProfile = QoSProfile(depth=3)
+class Config:
+    def __init__(self, name, qos=None):
+        self.name = name
+        if qos is not None:
+            self.qos = qos
+        else:
+            self.qos = QoSProfile(depth=3)
+ROWS = [{kind}('fast', qos_profile_sensor_data), {kind}('kept', qos=LATCHED), {kind}('plain')]
+class Part:
+    def __init__(self, node, row):
+        node.create_publisher(String, row.name, row.qos)
+class Demo(Node):
+    def __init__(self):
+        super().__init__('demo')
+        for row in ROWS:
+            {body}
+"""
+OF_ROWS = {
+    "/fast": ("best_effort", "volatile", 5),
+    "/kept": ("reliable", "transient_local", 1),
+    "/plain": ("reliable", "volatile", 3),
+}
+
+
+@pytest.mark.parametrize("kind", ["Row", "Config"])
+@pytest.mark.parametrize("body", ["self.create_publisher(String, row.name, row.qos)", "Part(self, row)"])
+def test_each_object_of_a_list_has_its_own_profile(workspace: Any, kind: str, body: str) -> None:
+    """The constructor that made the object decides, with what it was given."""
+    found = workspace.package({"pkg/demo.py": ROWS_OF_PYTHON.format(kind=kind, body=body)}).interfaces()
+    told = {each.name: each.qos for each in found if each.name in OF_ROWS}
+    assert {name: (qos.reliability, qos.durability, qos.depth) for name, qos in told.items()} == OF_ROWS
+
+
+def test_a_profile_of_an_object_that_others_change_is_unknown(workspace: Any) -> None:
+    """What its constructor makes is not what it holds later."""
+    body = "row.qos = found()\n            self.create_publisher(String, row.name, row.qos)"
+    found = workspace.package({"pkg/demo.py": ROWS_OF_PYTHON.format(kind="Config", body=body)}).interfaces()
+    assert {each.qos.reliability for each in found if each.name in OF_ROWS} == {"unknown"}

@@ -195,11 +195,26 @@ class QosVariables:
         handed = (structures.handed(expr, env) or structures.part(expr, env)) if not kept else None
         if handed is not None:
             return self.profiles.policies(handed.expr, handed.env.deeper(env.depth + 1), level + 1)
+        made = structures.constructed_at(expr.base, env) if not kept else []
+        if made:
+            return self._constructed(expr.name, made, level)
         cls = self.folder.kept.class_of(expr, env) if kept else self.folder.objects.class_of(expr.base, env)
         if cls is None or self.folder.members.is_given(expr.name, cls):
             return None
         place = Env(env.func, env.at, this=cls, depth=env.depth + 1)
         return self._of_member(f".{expr.name}", cls, place, level)
+
+    def _constructed(self, name: str, places: Iterable[Env], level: int) -> Policies | None:
+        """What constructors make of a member with the arguments that they are given."""
+        found: list[Policies] = []
+        for place in places:
+            cls = place.this
+            changed = cls is None or self.folder.changed_outside.is_changed(name, cls)
+            made = self._of_member(f".{name}", cls, place, level) if cls is not None and not changed else None
+            if made is None:
+                return dict(UNSEEN) if changed else None
+            found.append(made)
+        return agreed(found)
 
     def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
         """What its constructor makes of a member, or what it is declared with, and what other methods make of that."""

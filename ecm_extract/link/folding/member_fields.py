@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Member
@@ -39,9 +39,22 @@ class MemberFields:
             return known
         left = self._left(key, cls, env)
         if left and all(map(_is_told, left)):
-            return left
+            return left if self._is_begun(key, cls, env) else self._besides(known, left)
         more = env.func.file.language == "python" and any(map(_is_told, known))
         return alternatives((*known, unknown(expr.name))) if more else known
+
+    def _besides(self, known: tuple[Value, ...], left: tuple[Value, ...]) -> tuple[Value, ...]:
+        """What a field may still be as its object was made, where no constructor gives it anything."""
+        return alternatives((*known, *left)) if known and all(map(_is_told, known)) else known
+
+    def _is_begun(self, key: str, cls: Cls, env: Env) -> bool:
+        """Whether each constructor of a class gives the field something, so that no method finds it as it was made."""
+        ends = [(run, place.func) for run, place in self._ends(key, cls, env) if place.func.is_constructor]
+        giving = {func for run, func in ends if run is not None and not _is_alone(self._helds(key, run))}
+        makers = (
+            [each for each in entry.methods if each.is_constructor] for entry in self.folder.program.ancestry(cls)
+        )
+        return any(each and giving.issuperset(each) for each in makers)
 
     def _is_left_to_others(self, key: str, env: Env) -> bool:
         """Whether a method finds the member new, or others than its methods change the field."""
@@ -57,7 +70,7 @@ class MemberFields:
         for run, place in self._ends(key, cls, env):
             if run is None or run.end is None:
                 yield unknown(key.rpartition(".")[2])
-            elif not all(held.how in _ALONE for held in self._helds(key, run)):
+            elif not _is_alone(self._helds(key, run)):
                 end = place.within(run.end, len(place.func.fact.body))
                 yield from self.folder.fold(as_own(key), end)
 
@@ -72,6 +85,11 @@ class MemberFields:
     def _helds(self, key: str, run: Run) -> list[Held]:
         """What a method leaves the field, and the members that it lies in, with."""
         return [held for each in (key, *owners(key)) for held in self.folder.flow.left(run, each)]
+
+
+def _is_alone(helds: Sequence[Held]) -> bool:
+    """Tell whether a method leaves alone what it holds so."""
+    return all(held.how in _ALONE for held in helds)
 
 
 def _is_told(value: Value) -> bool:

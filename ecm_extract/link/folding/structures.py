@@ -94,27 +94,25 @@ class StructureFolder:
 
     def _constructed(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """What the constructor that takes the arguments of an object best gives its member; empty without one."""
-        bound = self._origin(expr.base, env)
+        places = self.constructed_at(expr.base, env)
+        values = [value for place in places for value in self._left(expr.name, place)]
+        return alternatives(values) if values else ()
+
+    def constructed_at(self, expr: Expr, env: Env) -> list[Env]:
+        """Return the constructors that may have made an object, with their arguments; none where that is unknown."""
+        bound = self._origin(expr, env)
         call = bound.expr if bound is not None else None
-        if bound is None or not isinstance(call, Items | Call):
-            return ()
-        cls = self._class_made(call, expr.base, bound.env, env)
-        if cls is None or not cls.constructors:
-            return ()
-        return self._by_best(expr.name, cls, construction_of(cls, call, bound.env), bound.env)
+        cls = self._class_made(call, expr, bound.env, env) if bound and isinstance(call, Items | Call) else None
+        if bound is None or not isinstance(call, Items | Call) or cls is None or not cls.constructors:
+            return []
+        made = construction_of(cls, call, bound.env)
+        makers = ((maker, bind(maker, made, bound.env)) for maker in self._fitting(cls, made))
+        return [Env(maker, this=cls, made=Instance(cls, args, {}, maker)) for maker, args in makers]
 
     def _class_made(self, made: Items | Call, base: Expr, place: Env, env: Env) -> Cls | None:
         if isinstance(made, Items):
             return self.folder.objects.class_of(base, env) if made.items else None
         return self._class_called(made, place)
-
-    def _by_best(self, name: str, cls: Cls, call: Invocation, env: Env) -> tuple[Value, ...]:
-        values = [
-            value
-            for maker in self._fitting(cls, call)
-            for value in self._left(name, Instance(cls, bind(maker, call, env), {}, maker))
-        ]
-        return alternatives(values) if values else ()
 
     def _fitting(self, cls: Cls, call: Invocation) -> list[Func]:
         """The constructors that take the arguments of a call best."""
@@ -122,9 +120,8 @@ class StructureFolder:
         best = max(scores.values(), default=NO)
         return [maker for maker, points in scores.items() if points == best != NO]
 
-    def _left(self, name: str, made: Instance) -> tuple[Value, ...]:
-        place = Env(made.maker, this=made.cls, made=made) if made.maker is not None else None
-        return self.folder.members.member_value(name, made.cls, place) if place is not None else ()
+    def _left(self, name: str, place: Env) -> tuple[Value, ...]:
+        return self.folder.members.member_value(name, place.this, place) if place.this is not None else ()
 
     def given(self, expr: Expr, env: Env) -> Value | None:
         """Return what is known of the fields of an object that may not be as its class declares it; None if it is."""
@@ -261,7 +258,14 @@ class StructureFolder:
         if helds or cls is None or not key.startswith(".") or key.count(".") > 1:
             return helds
         found = self.folder.members.sources(key.removeprefix("."), cls, env)
-        return {held if held.env is not None else replace(held, env=place) for held, place in found}
+        begun = self._declared_with(key[1:], cls) and not any(place.func.is_constructor for _, place in found)
+        first = {Held("given", key)} if found and begun else set()  # as declared, until one of these methods runs
+        return first | {held if held.env is not None else replace(held, env=place) for held, place in found}
+
+    def _declared_with(self, name: str, cls: Cls) -> bool:
+        """Whether a member of C++ is declared with a value."""
+        owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
+        return owner is not None and owner.file.language == "cpp" and owner.fields[name].default is not None
 
     def _made(self, expr: Expr, env: Env) -> Bound | None:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""

@@ -13,7 +13,8 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.held import all_ways
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
-from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Bound, Env
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -48,7 +49,23 @@ class ChangedOutside:
 
     def _owns(self, func: Func, owner: Expr, cls: Cls) -> bool:
         """Whether an object that a function changes is of a class, or of one that derives from it."""
-        return self._class_of(func, owner) is not None and self._may_own(func, owner, cls)
+        known = self._class_of(func, owner) is not None
+        return self._may_own(func, owner, cls) if known else self._is_passed(func, owner, cls)
+
+    def _is_passed(self, func: Func, owner: Expr, cls: Cls) -> bool:
+        """Whether a caller hands an object of a class to a function of Python, which need not say what it gets."""
+        if not isinstance(owner, Name) or not func.file.language == cls.file.language == "python":
+            return False
+        if not any(owner.id == entry.name for entry in func.fact.params):
+            return False
+        calls = self.folder.states.callers.all(func)
+        given = (bind(func, call, place).get(owner.id) for call, place in calls)
+        return any(bound is not None and self._is_of(bound, cls) for bound in given)
+
+    def _is_of(self, given: Bound, cls: Cls) -> bool:
+        own = given.env.this or given.env.func.cls if given.expr == THIS else None
+        of = own or self.folder.objects.class_of(given.expr, given.env)
+        return of is not None and (cls in self.folder.program.ancestry(of) or of in self.folder.program.ancestry(cls))
 
     def _may_own(self, func: Func, owner: Expr, cls: Cls) -> bool:
         if func.file.language != cls.file.language:

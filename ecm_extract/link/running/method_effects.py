@@ -14,6 +14,7 @@ from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env, Instance, invocation_of
 from ecm_extract.link.running.object_states import is_own
+from ecm_extract.link.running.own_pointers import OwnPointers
 from ecm_extract.link.running.seen_from_outside import leaves_members
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ class MethodEffects:
         self._depending: dict[tuple[Func, Cls | None], bool] = {}
         self._calling: dict[Func, bool] = {}
         self._through: dict[Func, Set[str]] = {}
+        self._pointers = OwnPointers(folder)
 
     def called_on(self, call: Call, env: Env) -> str | None:
         """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
@@ -175,12 +177,20 @@ class MethodEffects:
 
     def _by_methods_of_members(self, func: Func) -> Iterator[str]:
         effects = self.folder.flow.effects(func)
+        yield from self._by_pointers(func)
         for at, calls in enumerate(func.calls):
             for call in calls:
                 callee = call.callee
                 key = effects.root(callee.base) if isinstance(callee, Member) else ""
                 if key[:1] == "." and len(key) > 1 and self.folder.flow.is_own(call, func, at):
                     yield from self._changed_of(key, invocation_of(call, Env(func, at)), Env(func, at))
+
+    def _by_pointers(self, func: Func) -> Iterator[str]:
+        """The fields that a function changes by members which point to others of the same object."""
+        fields = (key.split(".", 2) for key in self.folder.flow.outline(func).changes if key.count(".") > 1)
+        for before, member, rest in fields:
+            pointed = self._pointers.of(member, func.cls) if not before and func.cls is not None else ()
+            yield from (f".{name}.{rest}" for name in pointed)
 
     def _changed_of(self, key: str, call: Invocation, place: Env) -> Iterator[str]:
         """The fields of a member that a method of its class may change; the member where that is not known."""

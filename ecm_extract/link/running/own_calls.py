@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ecm_parsers.source.expr import THIS, Call
+from ecm_parsers.source.expr import THIS, Call, Expr, Lambda
 
 from ecm_extract.infer.effects import calls_of
 from ecm_extract.link.code.handing_on import hands_on
-from ecm_extract.link.code.own import is_super
+from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.env import Env, invocation_of
@@ -41,6 +41,8 @@ class OwnCalls:
     def is_own(self, call: Call, func: Func, at: int) -> bool:
         """Tell whether a call in a statement of a function may run a function of the tree."""
         last = invocation_of(call, Env(func, at)).last
+        if last in calls_of(func.file.language).calling:
+            return any(map(_is_own_function, call.args))
         return bool(last) and bool(self.program.seen_functions(last, func.file))
 
     def reaches_object(self, call: Call, env: Env) -> bool:
@@ -91,3 +93,8 @@ class OwnCalls:
             lineage = (*self.program.ancestry(cls), *self.program.derived(cls))
             known = self._methods[cls] = frozenset(each.fact.name for entry in lineage for each in entry.methods)
         return name in known
+
+
+def _is_own_function(arg: Expr) -> bool:
+    """Whether an argument is a method of the object at hand, or a lambda, that whoever gets it calls at once."""
+    return isinstance(arg, Lambda) or arg == THIS or is_own_member(arg)

@@ -46,20 +46,24 @@ class PartObjects:
         return self._shown[key]
 
     def _shown_by(self, call: Call, func: Func) -> Expr | None:
-        if not isinstance(call.callee, Member) or call.args:
+        own = isinstance(call.callee, Name) and func.cls is not None
+        base = call.callee.base if isinstance(call.callee, Member) else THIS if own else None
+        if base is None or call.args:
             return None
         callee = self.folder.flow.target(call, func, len(func.fact.body))
         cls = callee.cls if callee is not None else None
         if callee is None or cls is None or "reference" not in callee.fact.traits or len(callee.fact.body) != 1:
+            return None
+        if own and (func.cls is None or cls not in self.folder.program.ancestry(func.cls)):
             return None
         derived = (method for entry in self.folder.program.derived(cls) for method in entry.methods)
         if any(method.fact.name == callee.fact.name for method in derived):
             return None
         given = callee.fact.body[0].value
         if given == THIS:
-            return call.callee.base
-        own = own_name(given)
-        return Member(call.callee.base, own) if own in cls.fields else None
+            return base
+        name = own_name(given)
+        return Member(base, name) if name in cls.fields else None
 
     def _member(self, expr: Expr | None, env: Env) -> str:
         """The member of the object at hand that an expression is, in a lambda that of the method around it."""
