@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import PurePosixPath
 from posixpath import join, normpath
 from typing import Final
 
@@ -18,6 +19,7 @@ _KINDS: Final = {
     "directory": "DIRECTORY",
     "files": "FILES",
 }
+_PATTERN: Final = frozenset("*?[")
 _MAKES_PACKAGE: Final = frozenset({"catkin_package", "ament_package"})
 
 
@@ -89,8 +91,49 @@ def installed_targets(package: PackageFacts) -> set[str]:
 
 def is_open(package: PackageFacts) -> bool:
     """Tell whether a rule installs what only CMake knows, or nothing makes a package of the folder."""
+    items = (item for file in package.cmake.values() for install in file.installs for item in install.items)
+    return is_unread(package) or any("$" in item for item in items)
+
+
+def is_unread(package: PackageFacts) -> bool:
+    """Tell whether a package may have rules that nothing shows, or nothing makes a package of the folder."""
     names = {command.name for file in package.cmake.values() for command in file.commands}
     if not names & _MAKES_PACKAGE or "ament_auto_package" in names:
         return True
-    items = [item for file in package.cmake.values() for install in file.installs for item in install.items]
-    return any(file.unknown for file in package.cmake.values()) or any("$" in item for item in items)
+    return any(file.unknown for file in package.cmake.values())
+
+
+def may_install_target(name: str, package: PackageFacts) -> bool:
+    """Tell whether a rule with a name that only CMake knows may stand for a target."""
+    installs = (install for file in package.cmake.values() for install in file.installs)
+    return any(_may_be(name, item) for each in installs if each.kind == "targets" for item in each.items if "$" in item)
+
+
+def may_install_file(path: str, package: PackageFacts, place: str = "") -> bool:
+    """Tell whether a rule with a path that only CMake knows may put a file, or a folder around it, somewhere.
+
+    Args:
+        path: of the file, in the tree.
+        package: whose rules are asked.
+        place: first folder of the installation where the file would be needed; any when empty.
+    """
+    folders = [path, *(str(each) for each in PurePosixPath(path).parents)]
+    for rule in install_rules(package):
+        where = rule.destination.partition("/")[0]
+        if rule.kind == "TARGETS" or (place and place != where and "$" not in where):
+            continue
+        names = folders if rule.kind == "DIRECTORY" else folders[:1]
+        items = [item if item.startswith("$") else f"{rule.folder}{item}" for item in rule.items if "$" in item]
+        if any(_may_be(name, item.rstrip("/")) for item in items for name in names):
+            return True
+    return False
+
+
+def _may_be(name: str, item: str) -> bool:
+    """Tell whether what stands before and behind the references of an item is that of a name.
+
+    A reference at the start of a path may be any folder, also that of the tree.
+    """
+    head, _, rest = item.partition("$")
+    tail = "" if _PATTERN & set(item) else rest[max(rest.rfind(mark) for mark in "}>") + 1 :]
+    return name.startswith(head) and name.endswith(tail.lstrip("/"))

@@ -36,6 +36,23 @@ def python_names(facts: PackageFacts) -> Iterator[Provision]:
         if parent:  # a package binds its modules
             rows.setdefault((parent, last), msgspec.structs.replace(named, owner=parent, name=last))
     yield from rows.values()
+    yield from _namespaces(facts)
+
+
+def _namespaces(facts: PackageFacts) -> Iterator[Provision]:
+    """Folders of modules without an `__init__.py`: Python 3 imports them all the same."""
+    found = modules(facts)
+    dotted, told = frozenset(found.values()), set[str]()
+    for path, name in found.items():
+        parts = name.split(".")
+        for end in range(2, len(parts)):
+            inner = ".".join(parts[:end])
+            if inner not in dotted | told:
+                told.add(inner)
+                row = Provision(kind=MODULE, package=facts.name, owner="", name=inner, path=path, line=1, open=True)
+                yield row
+                parent, _, last = inner.rpartition(".")
+                yield msgspec.structs.replace(row, kind=NAME, owner=parent, name=last, open=False)
 
 
 def modules(facts: PackageFacts) -> dict[str, str]:
@@ -51,7 +68,8 @@ def modules(facts: PackageFacts) -> dict[str, str]:
 
 def makes_modules(facts: PackageFacts) -> bool:
     """Tell whether the build of a package may add modules to it."""
-    return any(_is_of_modules(command) for file in facts.cmake.values() for command in file.commands)
+    set_up = any(setup.makes_modules for setup in facts.setups.values())
+    return set_up or any(_is_of_modules(command) for file in facts.cmake.values() for command in file.commands)
 
 
 def _is_of_modules(command: Command) -> bool:

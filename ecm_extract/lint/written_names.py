@@ -26,6 +26,7 @@ class WrittenNames:
     def __init__(self, workspace: Workspace) -> None:
         self._workspace = workspace
         self._found: dict[str, frozenset[str]] = {}
+        self._ports = frozenset(_given_to_ports(workspace))
         self._explained = {
             (place.path, place.line + below, _bare(interface.raw_name))
             for entry in workspace.linked
@@ -37,7 +38,12 @@ class WrittenNames:
         }
 
     def holds(self, package: str, name: str) -> bool:
-        """Tell whether a package writes a name, with or without `~`, where nothing that is known is declared."""
+        """Tell whether a package writes a name, with or without `~`, where nothing that is known is declared.
+
+        What a behaviour tree gives to a port may reach any node that runs the tree.
+        """
+        if _bare(name) in self._ports:
+            return True
         if package not in self._found:
             self._found[package] = frozenset(self._unexplained(package))
         return _bare(name) in self._found[package]
@@ -53,6 +59,12 @@ class WrittenNames:
                 found = _NAME.fullmatch(text.value)
                 if found is not None and (path, text.line, found[1]) not in self._explained:
                     yield found[1]
+
+
+def _given_to_ports(workspace: Workspace) -> Iterator[str]:
+    files = (file for package in workspace.packages for file in package.trees.values())
+    values = (value for file in files for tree in file.trees for node in tree.nodes for value in node.ports.values())
+    yield from (_bare(value) for value in values if _NAME.fullmatch(value))
 
 
 def _remaps_parameters(workspace: Workspace, package: str) -> bool:

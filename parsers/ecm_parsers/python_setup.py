@@ -18,6 +18,8 @@ _SETUP_CALLS = frozenset({"setup", "generate_distutils_setup"})
 _PARAMETER_MODULE = "generate_parameter_module"
 _FINDERS = frozenset({"find_packages", "find_namespace_packages"})
 _READ_CALLS = _SETUP_CALLS | {_PARAMETER_MODULE}
+_MAKING = frozenset({"ext_modules", "cffi_modules", "rust_extensions"})
+"""Keywords of setuptools, cffi and setuptools_rust for modules that are compiled."""
 _WANTED = frozenset({"assignment", "call"})
 _Keywords = dict[str, Value]
 MAX_ENTRIES = 200
@@ -46,6 +48,7 @@ def parse_setup_py(data: bytes) -> Parsed[PythonSetup]:
         data_files=_data_files(keywords.get("data_files")),
         entry_points=_entry_points(keywords.get("entry_points"), diagnostics),
         parameter_files=calls.parameter_files,
+        makes_modules=calls.of_parameters or not _MAKING.isdisjoint(keywords),
     )
     return Parsed(facts, tuple(diagnostics))
 
@@ -55,12 +58,14 @@ class _Calls(msgspec.Struct):
 
     keywords: _Keywords | None = None
     parameter_files: tuple[str, ...] = ()
+    of_parameters: bool = False
 
     def add(self, call: PyCall, line: int, diagnostics: list[Diagnostic]) -> None:
         """Take what one call says."""
         if call.name.rpartition(".")[2] in _SETUP_CALLS:
             self.keywords = {**(self.keywords or {}), **_spread(call)}
             return
+        self.of_parameters = True
         given = call.keyword("yaml_file") or (call.args[1] if len(call.args) > 1 else None)
         if given is not None and isinstance(given.data, str):
             self.parameter_files += (given.data,)

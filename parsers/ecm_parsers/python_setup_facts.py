@@ -36,6 +36,7 @@ class PythonSetup(msgspec.Struct, frozen=True):
         data_files: what is installed to share folders.
         entry_points: programs and plugins.
         parameter_files: declarations that generate_parameter_library makes a Python module of, from this folder.
+        makes_modules: whether it makes modules that lie in no folder: of parameters, or compiled ones.
     """
 
     name: str | None = None
@@ -46,6 +47,7 @@ class PythonSetup(msgspec.Struct, frozen=True):
     data_files: tuple[DataFiles, ...] = ()
     entry_points: tuple[EntryPoint, ...] = ()
     parameter_files: tuple[str, ...] = ()
+    makes_modules: bool = False
 
 
 def entry_point(group: str, text: str, line: int, diagnostics: list[Diagnostic]) -> EntryPoint | None:

@@ -82,6 +82,15 @@ def remapped(source: str) -> Files:
     }
 
 
+def given_to_port(topic: str) -> Files:
+    """A remap of a name that a behaviour tree may give to the node."""
+    action = f'<Action ID="Go" topic="{topic}"/>'
+    return {
+        **remapped("goal_pose"),
+        "trees/a.xml": f'<root BTCPP_format="4"><BehaviorTree ID="A">{action}</BehaviorTree></root>',
+    }
+
+
 def pair(namespace: str, lower: str = "-1") -> Files:
     name = '<xacro:arg name="ns" default="rover/"/><xacro:property name="ns" value="$(arg ns)"/>'
     made = WHEELS.format(name + JOINT.format(ns="${ns}" if namespace else "", lower=-1, upper=1))
@@ -199,6 +208,20 @@ def fetched(name: str) -> Files:
     return {"package.xml": own, "deps.rosinstall": listed}
 
 
+def from_source(started: str) -> Files:
+    """A package of ROS 2 that asks for one that was released for ROS 1, and the package that its launch file starts."""
+    return {**fetched("other"), "launch/a.launch.xml": f'<launch><node pkg="{started}" exec="a" name="a"/></launch>'}
+
+
+def misspelled(started: str) -> Files:
+    """A name of package.xml that a list of sources has, and a package that a launch file starts."""
+    return {
+        "package.xml": manifest("micro-arm-agent"),
+        "deps.rosinstall": "- git:\n    local-name: micro-arm-agent\n    uri: https://example.org/setup.git\n",
+        "launch/a.launch": launch(f'<node name="a" pkg="{started}" type="a"/>'),
+    }
+
+
 def given(target: str) -> Files:
     inner = launch(
         '<arg name="labels" default="/decomposer/label"/>',
@@ -213,18 +236,25 @@ def given(target: str) -> Files:
     }
 
 
-def analyzed(package: str) -> Files:
+def analyzed(package: str, prefix: str = "gone") -> Files:
     analyzer = (
-        "analyzers:\n  a:\n    type: diagnostic_aggregator/GenericAnalyzer\n    path: A\n    remove_prefix: gone\n"
+        f"analyzers:\n  a:\n    type: diagnostic_aggregator/GenericAnalyzer\n    path: A\n    remove_prefix: {prefix}\n"
     )
     load = '<rosparam command="load" file="$(find pkg)/param/d.yaml"/>'
-    aggregator = f'<node name="d" pkg="diagnostic_aggregator" type="aggregator_node">{load}</node>'
+    aggregator = f'<node name="drives" pkg="diagnostic_aggregator" type="aggregator_node">{load}</node>'
     return {
         "param/d.yaml": analyzer,
         "launch/b.launch": launch(node("b", "b.py")),
         "scripts/b.py": script("b"),
         "launch/a.launch": launch(f'<include file="$(find {package})/launch/b.launch"/>', aggregator),
     }
+
+
+def states(updater: str) -> Files:
+    """What publishes diagnostics, and a package.xml that names what it does so with."""
+    taken = "diagnostic_msgs.msg.DiagnosticArray, queue_size=1"
+    line = f"import diagnostic_msgs.msg\nrospy.Publisher('/diagnostics', {taken})"
+    return {**analyzed("pkg"), "scripts/b.py": script("b", line), "package.xml": manifest(updater)}
 
 
 def named_alike(kind: str) -> Files:

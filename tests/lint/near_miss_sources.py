@@ -1,8 +1,10 @@
-"""Small C++ packages of which one shows something and another nearly does."""
+"""Small packages of sources of which one shows something and another nearly does."""
 
 from __future__ import annotations
 
 from near_miss_files import CMAKE, Files, launch, node
+
+SETUP = "setup(name='pkg', packages=['pkg'], package_dir={'': 'src'})\n"
 
 
 def copied(name: str) -> Files:
@@ -76,3 +78,36 @@ def made_by_build(listed: str) -> Files:
 def configured(path: str) -> Files:
     installed = f"install(PROGRAMS ${{CATKIN_DEVEL_PREFIX}}/{path} DESTINATION bin)\n"
     return {"CMakeLists.txt": installed + CMAKE.format("a"), "launch/a.launch": launch(node("r", "runner"))}
+
+
+def asked_of_build(command: str, set_up: str = "") -> Files:
+    """A module that imports another one of its package, which no file holds; the build is given."""
+    head = "find_package(catkin REQUIRED)\ncatkin_package()\n"
+    return {
+        "CMakeLists.txt": f"project(pkg)\n{head}{command}\n",
+        "setup.py": f"from setuptools import setup\n{set_up}\n{SETUP}",
+        "src/pkg/__init__.py": "",
+        "src/pkg/a.py": "from pkg.made import Made\n\nMade()\n",
+    }
+
+
+def in_folder(name: str) -> Files:
+    """A module of a folder without an `__init__.py`, and one that imports the folder."""
+    return {
+        **asked_of_build(""),
+        "src/pkg/arms/left.py": "LENGTH = 1\n",
+        "src/pkg/a.py": f"from pkg.{name} import left\n\nprint(left.LENGTH)\n",
+    }
+
+
+def made_of_template(name: str) -> Files:
+    """A launch file that loads a file, and a macro that makes one of another name of a template."""
+    where = "${CMAKE_CURRENT_SOURCE_DIR}/config"
+    made = f"configure_file({where}/arm.yaml.in {where}/${{NAME}}_arm.yaml)"
+    macro = f'macro(make NAME)\nif("${{NAME}}" STREQUAL "left")\n{made}\nendif()\nendmacro()\nmake(left)\n'
+    load = f'<rosparam command="load" file="$(find pkg)/config/{name}_arm.yaml"/>'
+    return {
+        "CMakeLists.txt": f"project(pkg)\nfind_package(catkin REQUIRED)\ncatkin_package()\n{macro}",
+        "config/arm.yaml.in": "a: 1\n",
+        "launch/a.launch": launch(load),
+    }

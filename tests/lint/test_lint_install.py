@@ -13,6 +13,12 @@ HEAD = {
 LIB, BIN = "LIBRARY DESTINATION lib", "RUNTIME DESTINATION lib/pkg"
 INCLUDE = "${CATKIN_PACKAGE_INCLUDE_DESTINATION}"
 PROGRAMS = "${CATKIN_PACKAGE_BIN_DESTINATION}"
+LAUNCH_FILE = """from launch import LaunchDescription
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
 BUILT = "add_executable(run a.cpp)\n"
 CHAIN = """add_library(core SHARED a.cpp)
 add_library(part a.cpp)
@@ -71,6 +77,77 @@ def test_install_rules(workspace: Workspace, ros: int, text: str, expected: list
     }
     found = [finding.rule for finding in lint(workspace.package(files, ros=ros).root)]
     assert [rule for rule in found if "LNT057" <= rule <= "LNT060"] == expected
+
+
+OPEN = "execute_process(COMMAND where OUTPUT_VARIABLE PLACE)\n"
+OPEN_ROWS = [
+    ("install(PROGRAMS ${PLACE}/run DESTINATION lib/pkg)", True),
+    ("install(TARGETS ${PLACE} DESTINATION lib/pkg)", True),
+    ("install(DIRECTORY maps/${PLACE} DESTINATION share/pkg)", True),
+    ("install(DIRECTORY ${PLACE}/maps DESTINATION share/pkg)", True),
+    ("install(FILES ${PLACE}.yaml DESTINATION share/pkg)", True),
+    ("install(DIRECTORY ${PLACE} DESTINATION include)", True),
+    ("install(DIRECTORY ${PLACE} DESTINATION share/pkg)", False),
+    ("install(DIRECTORY ${PLACE} DESTINATION ${PLACE})", False),
+    ("install(DIRECTORY ${PLACE}/launch DESTINATION share/pkg)", False),
+    ("install(DIRECTORY lau${PLACE} DESTINATION share/pkg)", False),
+    ("install(FILES launch/${PLACE}.launch.py DESTINATION share/pkg)", False),
+]
+
+
+@pytest.mark.parametrize(("rule", "told"), OPEN_ROWS)
+def test_a_rule_with_a_name_that_only_cmake_knows(workspace: Workspace, rule: str, told: bool) -> None:
+    """LNT043: it leaves open what it may install, and nothing else."""
+    files = {"CMakeLists.txt": f"{HEAD[2]}{OPEN}{rule}\n", "launch/a.launch.py": LAUNCH_FILE}
+    found = [finding.rule for finding in lint(workspace.package(files, ros=2).root)]
+    assert ("LNT043" in found) is told
+
+
+@pytest.mark.parametrize(
+    ("source", "told"), [("src/run.cpp", True), ("test/run.cpp", False), ("src/run_test.cpp", False)]
+)
+def test_programs_that_are_test_code(workspace: Workspace, source: str, told: bool) -> None:
+    """LNT043: what is built of test code alone stays beside the sources, also where a launch file starts it."""
+    files = {
+        "CMakeLists.txt": f"{HEAD[2]}add_executable(run {source})\ninstall(DIRECTORY launch DESTINATION share/pkg)\n",
+        source: "int main() {}\n",
+        "launch/a.launch.xml": '<launch><node pkg="pkg" exec="run"/></launch>\n',
+    }
+    found = [finding.rule for finding in lint(workspace.package(files, ros=2).root)]
+    assert ("LNT043" in found) is told
+
+
+OLD = '<launch><node pkg="pkg" type="run" name="run" output="screen"/></launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "told"),
+    [
+        ("launch/a.launch.py", LAUNCH_FILE, True),
+        ("launch/a_test.launch.py", LAUNCH_FILE, False),
+        ("launch/test_a.launch.py", LAUNCH_FILE, False),
+        ("launch/a.launch", OLD, False),
+    ],
+)
+def test_launch_files_that_nobody_misses(workspace: Workspace, path: str, text: str, told: bool) -> None:
+    """LNT043: those for a trial beside the sources, and those of ROS 1 in a package of ROS 2."""
+    files = {"CMakeLists.txt": f"{HEAD[2]}install(DIRECTORY maps DESTINATION share/pkg)\n", path: text}
+    found = [finding.rule for finding in lint(workspace.package(files, ros=2).root)]
+    assert ("LNT043" in found) is told
+
+
+@pytest.mark.parametrize(("ros", "told"), [(1, True), (2, False)])
+def test_files_that_launch_files_of_ros_1_name(workspace: Workspace, ros: int, told: bool) -> None:
+    """LNT043: in a package of ROS 2 nothing loads them."""
+    start = '<node pkg="rviz" type="rviz" name="rviz" output="screen" args="-d $(find pkg)/rviz/a.rviz"/>'
+    share = {1: "${CATKIN_PACKAGE_SHARE_DESTINATION}", 2: "share/pkg"}[ros]
+    files = {
+        "CMakeLists.txt": f"{HEAD[ros]}install(DIRECTORY launch DESTINATION {share})\n",
+        "launch/a.launch": f"<launch>{start}</launch>\n",
+        "rviz/a.rviz": "Panels: []\n",
+    }
+    found = [finding.rule for finding in lint(workspace.package(files, ros=ros).root)]
+    assert ("LNT043" in found) is told
 
 
 @pytest.mark.parametrize("marker", ["COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"])

@@ -111,6 +111,26 @@ def test_a_parameter_file_reads_arguments(workspace: Workspace) -> None:
     assert _names(workspace.package(files).root) == []
 
 
+@pytest.mark.parametrize(
+    ("part", "severity"),
+    [
+        ('<node pkg="pkg" exec="n"/>', "info"),
+        ('<arg name="rat" default="1"/><node pkg="pkg" exec="n"/>', "warning"),
+        ('<node pkg="pkg" exec="n"><param name="rate" value="1"/></node>', "warning"),
+    ],
+    ids=["nothing like it", "a slip", "fixed there"],
+)
+def test_a_value_that_nothing_reads(workspace: Workspace, part: str, severity: str) -> None:
+    """It is likely meant for something where the file has that name, or nearly."""
+    include = f'<include file="{FIND[2]}"><arg name="rate" value="1"/></include>'
+    files = {
+        "launch/all.launch.xml": f"<launch>{include}</launch>",
+        "launch/part.launch.xml": f"<launch>{part}</launch>",
+    }
+    found = [each for each in lint(workspace.package(files).root) if each.rule == "LNT056"]
+    assert [each.severity for each in found] == [severity]
+
+
 def _names(root: Path) -> list[str]:
     found = [finding for finding in lint(root) if finding.rule == "LNT056"]
     return [next(word for word in ("wrong", "a", "b") if f" {word}" in f" {f.message.split(':')[0]}") for f in found]

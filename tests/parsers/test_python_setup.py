@@ -165,3 +165,5 @@ def test_generated_parameter_modules() -> None:
     assert parse_setup_py(text).facts.parameter_files == ("a", "b")
     parsed = parse_setup_py(b"generate_parameter_module('m', find())\nsetup()\n")
     assert (parsed.facts.parameter_files, [d.code for d in parsed.diagnostics]) == ((), ["setup-computed-parameters"])
+    texts = (text, b"generate_parameter_module('m', find())\nsetup()\n", b"setup(ext_modules=[find()])\n", b"setup()\n")
+    assert [parse_setup_py(each).facts.makes_modules for each in texts] == [True, True, True, False]

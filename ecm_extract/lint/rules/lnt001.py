@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import takewhile
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
@@ -11,6 +12,7 @@ from ecm_extract.lint.known import Known
 from ecm_extract.lint.named_files import absent_files
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
 from ecm_extract.report.places import in_tree
 
 RULE = LintRule(
@@ -34,10 +36,13 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report includes and parameter files of launch files that are not in their package, or found by chance only."""
     _ = workspace.systems  # evaluating launch files reports what is missing
     found: dict[tuple[str, str, bool], list[int]] = {}
+    made = {package.name: frozenset(_made(package)) for package in workspace.packages}
     for entry in workspace.diagnostics("launch-include-missing", "launch-file-missing"):
         name = entry.about.removeprefix("/")  # of a package that is the root of the tree
         if _OPEN & set(name) or name.endswith("/"):
             continue  # the last part is for somebody to give
+        if name.rpartition("/")[2] in made.get(workspace.package_of(name), ()):
+            continue
         late = entry.code == "launch-file-missing" and workspace.files.ros_of(entry.path) == 2
         found.setdefault((entry.path, name, late), []).append(entry.line)
     for (path, name, late), lines in found.items():
@@ -47,6 +52,16 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         entity = Entity("file", workspace.in_package(name))
         yield RULE.finding(text, entity, package, evidence, consequence=_AT_START if late else "")
     yield from _relative(workspace)
+
+
+def _made(package: PackageFacts) -> Iterator[str]:
+    """Names of files that the build of a package makes of templates and by commands."""
+    for command in (command for file in package.cmake.values() for command in file.commands):
+        if command.name == "configure_file":
+            yield from (name.rpartition("/")[2] for name in command.args[1:2])
+        elif command.name == "add_custom_command" and command.args[:1] == ("OUTPUT",):
+            outputs = takewhile(lambda word: not word.isupper(), command.args[1:])
+            yield from (name.rpartition("/")[2] for name in outputs)
 
 
 def tell(known: Known) -> Iterator[Finding]:

@@ -20,6 +20,7 @@ RULE = LintRule(
     who="config",
     consequence="the value has no effect and the node runs with its default",
     resolution="correct the name, or remove the line",
+    tier="stable",
 )
 NEAR = 0.86
 

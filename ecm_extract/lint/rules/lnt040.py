@@ -23,17 +23,34 @@ RULE = LintRule(
 )
 _KIND = "node"
 _NAMING = ("reads_file", "names_file")
+_STATUSES = "diagnostic_msgs/msg/DiagnosticArray"
+_UPDATER = "diagnostic_updater"
+"""It puts the name of the node before those of its statuses."""
 
 
 def tell(known: Known) -> Iterator[Finding]:
     """Report prefixes of analyzers of a package whose launch files, which load them, start no node of that name."""
     names = {name.rpartition("/")[2] for name in known.launched(_KIND)}
     started = _unnamed(known)
-    loaded, reaching = _loaded(known), _reaching(known)
+    loaded, reaching, by_hand = _loaded(known), _reaching(known), _names_statuses(known)
     for asked in known.asked("strips_prefix"):
         is_loaded = asked.path.rpartition("/")[2] in loaded.get(asked.consumer.name, ())
-        if is_loaded and asked.consumer.name not in reaching and asked.requirement.name not in names | started:
+        if not is_loaded or asked.consumer.name in reaching or _is_start(asked.requirement.name, names | started):
+            continue
+        if not by_hand or nearest(asked.requirement.name, sorted(names)):
             yield _finding(asked, names)
+
+
+def _is_start(prefix: str, names: set[str]) -> bool:
+    """Tell whether it is how the name of a node begins, or all of it."""
+    return any(name.startswith(prefix) for name in names)
+
+
+def _names_statuses(known: Known) -> bool:
+    """Tell whether somebody fills in statuses by hand, whose names are no names of nodes."""
+    packages = known.packages.by_name.values()
+    own = (package for package in packages if _UPDATER not in known.needed_by(package.name))
+    return any(row.type == _STATUSES for package in own for row in package.provides)
 
 
 def _finding(asked: Asked, names: set[str]) -> Finding:

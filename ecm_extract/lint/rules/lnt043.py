@@ -11,7 +11,13 @@ from ecm_parsers.launch.model import Node
 from ecm_parsers.launch.templates import all_actions, plain_text
 from ecm_parsers.package_references import parse_references
 
-from ecm_extract.entities.install_rules import installed_targets, is_open, lives_in_devel_space
+from ecm_extract.entities.install_rules import (
+    installed_targets,
+    is_unread,
+    lives_in_devel_space,
+    may_install_file,
+    may_install_target,
+)
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
@@ -25,9 +31,11 @@ RULE = LintRule(
     who="config",
     consequence="it is there where it was built and missing where the package is installed",
     resolution="add install(TARGETS ...), install(PROGRAMS ...) or install(DIRECTORY ...) to CMakeLists.txt",
-    tier="preview",
+    tier="stable",
 )
 _SHOWN = 5
+_SHARE = "share"
+_ROS_2 = 2
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
 _NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
 _NAMING = (".launch", ".launch.xml", ".xacro", ".urdf")
@@ -44,8 +52,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     named = _named(workspace)
     for package in workspace.packages:
         path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
-        is_python = bool(package.setups) and package.ros == 2
-        if path not in package.cmake or package.root.rosbuild or is_python or is_open(package):
+        is_python = bool(package.setups) and package.ros == _ROS_2
+        if path not in package.cmake or package.root.rosbuild or is_python or is_unread(package):
             continue
         found = list(_left_out(package, path, launched.get(package.name, set()), named, workspace))
         yield from map(_never_installed, found[:1]) if lives_in_devel_space(package) else found
@@ -55,10 +63,11 @@ def _left_out(
     package: PackageFacts, path: str, started: set[str], named: dict[str, set[str]], workspace: Workspace
 ) -> Iterator[Finding]:
     scripts = _scripts(package, started) if not package.setups else set()  # setup.py may install some
-    missing = sorted(_programs(package) - installed_targets(package) | scripts)
+    built = {name for name in _programs(package) if not may_install_target(name, package)}
+    missing = sorted(built - installed_targets(package) | scripts)
     if missing:
         used = sorted(set(missing) & started)
-        level: Severity = "error" if used and package.ros == 2 else "warning" if used else "info"
+        level: Severity = "error" if used and package.ros == _ROS_2 else "warning" if used else "info"
         yield _finding(package, path, "program", used or missing, level)
     files = sorted(_launch_files(package, workspace))
     described = sorted(_missing(_described(package), package))
@@ -107,7 +116,8 @@ def _named(workspace: Workspace) -> dict[str, set[str]]:
 def _naming(workspace: Workspace) -> Iterator[str]:
     for package in workspace.packages:
         paths = (entry.path for entry in package.root.files if entry.path.endswith(_NAMING))
-        yield from (path for path in paths if not is_test_path(path, package.root.path))
+        old = _left_over(package, workspace)
+        yield from (path for path in paths if path not in old and not is_test_path(path, package.root.path))
 
 
 def _described(package: PackageFacts) -> set[str]:
@@ -120,15 +130,19 @@ def _missing(names: set[str], package: PackageFacts) -> set[str]:
     """Those of these files of a package that are there and that no rule installs."""
     root = f"{package.root.path}/" if package.root.path else ""
     there = {entry.path for entry in package.root.files}
-    return {name for name in names if f"{root}{name}" in there and not _is_covered(f"{root}{name}", package)}
+    return {name for name in names if f"{root}{name}" in there and not _is_shared(f"{root}{name}", package)}
 
 
 def _programs(package: PackageFacts) -> set[str]:
-    root = package.root.path
-    targets = [
-        target for path, file in package.cmake.items() if not is_test_path(path, root) for target in file.targets
-    ]
-    return {target.name for target in targets if target.kind == "executable" and not target.is_test}
+    """Names of the programs of a package; what is built of test code alone is none that others miss."""
+    root, found = package.root.path, set[str]()
+    for path, file in package.cmake.items():
+        folder = f"{path.rpartition('/')[0]}/".lstrip("/")
+        for target in file.targets if not is_test_path(path, root) else ():
+            is_test = all(is_test_path(f"{folder}{source}", root) for source in target.sources) and target.sources
+            if target.kind == "executable" and not target.is_test and not is_test:
+                found.add(target.name)
+    return found
 
 
 def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
@@ -141,20 +155,35 @@ def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
         folder, _, name = entry.path.rpartition("/")
         facts = package.sources.get(entry.path)
         is_program = facts is not None and bool(facts.shebang) and f"{folder}/__init__.py" not in package.sources
-        if (is_program or (name in started and name.endswith(_SCRIPTS))) and name not in _BUILD:
-            (covered if _is_covered(entry.path, package) else found).add(name)
+        is_program = is_program or (name in started and name.endswith(_SCRIPTS))
+        if is_program and name not in _BUILD and not is_test_path(entry.path, package.root.path):
+            is_covered = _is_covered(entry.path, package) or may_install_file(entry.path, package)
+            (covered if is_covered else found).add(name)
     return found - covered
 
 
 def _launch_files(package: PackageFacts, workspace: Workspace) -> set[str]:
-    own = [path for path in workspace.launches if workspace.package_of(path) == package.name and not _is_trial(path)]
+    paths = sorted(workspace.launches.keys() - _left_over(package, workspace))
+    own = [path for path in paths if workspace.package_of(path) == package.name and not _is_trial(path)]
     root = f"{package.root.path}/" if package.root.path else ""
-    return {path.removeprefix(root) for path in own if not _is_covered(path, package)}
+    return {path.removeprefix(root) for path in own if not _is_shared(path, package)}
+
+
+def _left_over(package: PackageFacts, workspace: Workspace) -> frozenset[str]:
+    """Launch files of ROS 1, which nothing can load in a package of ROS 2."""
+    old = (path for path, launch in workspace.launches.items() if launch.ros == 1)
+    return frozenset(old) if package.ros == _ROS_2 else frozenset()
 
 
 def _is_trial(path: str) -> bool:
     """Tell whether a launch file is for a trial beside the sources: by its name, or that of its folder."""
-    return ".test." in path or any(part.startswith("test") for part in path.split("/"))
+    parts = [part.partition(".")[0] for part in path.lower().split("/")]
+    return ".test." in path or any(part.startswith("test") or part.endswith("_test") for part in parts)
+
+
+def _is_shared(path: str, package: PackageFacts) -> bool:
+    """Tell whether a rule puts a file into the share folder, or may do so by a name that only CMake knows."""
+    return _is_covered(path, package) or may_install_file(path, package, _SHARE)
 
 
 def _is_covered(path: str, package: PackageFacts) -> bool:

@@ -29,18 +29,47 @@ _LONG: Final = 9
 _VENDOR: Final = re.compile(r"(?:lib)?(?:ignition|gz|sdformat|gazebo)(?:-[a-z]+)*-?\d+(?:-dev)?")
 """Keys of the list of Gazebo's makers (github.com/osrf/osrf-rosdep), where each major version has its own."""
 _MANIFEST: Final = "package.xml"
+_LAUNCHING: Final = ("starts", "includes_launch")
+"""Uses by which launch files name packages."""
 
 
 def tell(known: Known) -> Iterator[Finding]:
     """Report each name once for a package; what holds under a condition only is left alone."""
-    own = frozenset(known.packages.by_name)
+    own, launched = frozenset(known.packages.by_name), _launched(known)
     found, first = _by_build(known), dict[tuple[str, str], Asked]()
     for asked in known.asked("depends"):
         if asked.path.endswith(_MANIFEST):
             first.setdefault((asked.consumer.name, asked.requirement.name), asked)
     for (package, name), asked in first.items():
-        if name not in own | known.elsewhere and not asked.requirement.conditions and _VENDOR.fullmatch(name) is None:
-            yield from _of(asked, found.get(package, frozenset()), own)
+        if name in own or asked.requirement.conditions or _VENDOR.fullmatch(name) is not None:
+            continue
+        used = launched.get(package, frozenset()) - known.needed_by(package)
+        meant = next((each for each in sorted(used) if _spelled(each) == _spelled(name)), None)
+        if meant is not None and known_packages().get(name) is None:
+            yield _misspelled(asked, meant)
+        elif name not in known.elsewhere:
+            yield from _of(asked, _Wanting(found.get(package, frozenset()), launched.get(package, frozenset())), own)
+
+
+def _launched(known: Known) -> dict[str, frozenset[str]]:
+    """Names of packages that launch files of each package use."""
+    found: dict[str, set[str]] = {}
+    for use in _LAUNCHING:
+        for asked in known.asked(use):
+            if asked.requirement.package:
+                found.setdefault(asked.consumer.name, set()).add(asked.requirement.package)
+    return {package: frozenset(names) for package, names in found.items()}
+
+
+def _spelled(name: str) -> str:
+    return name.replace("-", "_").lower()
+
+
+def _misspelled(asked: Asked, meant: str) -> Finding:
+    """A list of sources that has the same slip does not help: the name that launch files ask for is another one."""
+    name, package = asked.requirement.name, asked.consumer
+    text = f"{package.name} asks for {name}, and its launch files use {meant}"
+    return RULE.finding(text, Entity("package", name), package.name, asked.requirement.evidence, severity="error")
 
 
 def _by_build(known: Known) -> dict[str, frozenset[str]]:
@@ -52,21 +81,28 @@ def _by_build(known: Known) -> dict[str, frozenset[str]]:
     return {package: frozenset(names) for package, names in found.items()}
 
 
-def _of(asked: Asked, found: frozenset[str], own: frozenset[str]) -> Iterator[Finding]:
-    """A finding on a name that is not known for the ROS of its package; `found` is what its build looks for."""
+class _Wanting(NamedTuple):
+    """Names of packages that the build of one looks for, and that its launch files use."""
+
+    found: frozenset[str]
+    launched: frozenset[str]
+
+
+def _of(asked: Asked, wanting: _Wanting, own: frozenset[str]) -> Iterator[Finding]:
+    """A finding on a name that is not known for the ROS of its package."""
     name, package = asked.requirement.name, asked.consumer
     where = known_packages().get(name)
     if where is not None and not _is_of_other_ros(where, package.ros):
         return
     level: Severity = "warning"
     if where is not None:
-        if name in found:
-            level = "info"  # its build finds it: somebody has it from source
+        if name in wanting.found | wanting.launched:
+            level = "info"  # its build or a launch finds it: somebody has it from source
         if package.ros == 1:
             level = "info"  # what is released for ROS 2 now may have been there before, unreleased
         text = f"{package.name} asks for {name}, which was released for ROS {where} only"
     else:
-        near = _meant(name, found, own - {package.name})
+        near = _meant(name, wanting.found, own - {package.name})
         text = f"{package.name} asks for {name}, which no distribution and no key of rosdep has"
         text += f"; {near.words} {near.name}" if near else ""
         level = "error" if near else "info"

@@ -7,7 +7,7 @@ from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Entity, Finding
+from ecm_checker.finding import Certainty, Entity, Finding, Severity
 
 from ecm_extract.lint.known import Asked, Known
 from ecm_extract.lint.launch_arguments import Handing, LaunchArguments
@@ -22,6 +22,7 @@ RULE = LintRule(
     who="config",
     consequence="the launch stops there",
     resolution="declare the argument, or use the name that is declared",
+    tier="stable",
 )
 _KIND: Final = "launch_argument"
 _ROS_1: Final = 1
@@ -54,7 +55,12 @@ def _undeclared(known: Known, launches: LaunchArguments) -> Iterator[Finding]:
 
 
 def _handed(known: Known, launches: LaunchArguments) -> Iterator[Finding]:
-    """What roslaunch calls an unused argument of an include, and what no file of a launch of ROS 2 reads."""
+    """What roslaunch calls an unused argument of an include, and what no file of a launch of ROS 2 reads.
+
+    The latter is an info: many a caller hands all that it has. It is a warning where another name is like it, or where
+    the file gives its nodes a parameter of that name, which the caller meant to set.
+    """
+    fixed = {(asked.path, asked.requirement.name) for asked in known.asked("gives_parameter")}
     given = {(each.user, each.place.line, each.target): set(each.given.names) for each in launches.includes}
     for asked in known.asked("hands_argument"):
         wanted, target = asked.requirement, (asked.requirement.package or "", asked.requirement.owner)
@@ -68,7 +74,8 @@ def _handed(known: Known, launches: LaunchArguments) -> Iterator[Finding]:
         if wanted.ros == _ROS_1:
             yield _refused(f"{path} is given {wanted.name}, which it does not declare{has}", asked, near)
         else:
-            yield _unread(f"{path} is given {wanted.name}, which nothing reads{has}", asked, near)
+            level: Severity = "warning" if near or (path, wanted.name) in fixed else "info"
+            yield _unread(f"{path} is given {wanted.name}, which nothing reads{has}", asked, near, level)
 
 
 class _Lacking(msgspec.Struct, frozen=True):
@@ -112,13 +119,14 @@ def _refused(text: str, asked: Asked, near: str | None) -> Finding:
     return RULE.finding(text, entity, asked.consumer.name, asked.requirement.evidence)
 
 
-def _unread(text: str, asked: Asked, near: str | None) -> Finding:
+def _unread(text: str, asked: Asked, near: str | None, level: Severity) -> Finding:
     return RULE.finding(
         text,
         Entity(_KIND, asked.requirement.name, near or ""),
         asked.consumer.name,
         asked.requirement.evidence,
         certainty="likely",
+        severity=level,
         consequence="the launch goes on without the value that was meant",
         resolution="use the name that is declared" if near else "leave it out, or declare it where it is meant",
     )

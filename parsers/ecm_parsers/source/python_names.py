@@ -46,6 +46,7 @@ _PATTERNS = frozenset(
 
 _BLOCKS = frozenset({"block", "module"})
 _LEAVES = frozenset({"raise_statement", "return_statement", "continue_statement", "break_statement"})
+_OFF = frozenset({b"False", b"0", b"None"})
 _BOUND_FIELDS = {
     "assignment": "left",
     "for_statement": "left",
@@ -113,7 +114,8 @@ def _without_self(root: Node) -> Iterator[Node]:
 def _names(root: Node) -> Iterator[tuple[Node, bool]]:
     """Every identifier that stands for a name, and whether it is bound there; and what makes a file open.
 
-    What stands behind a `raise` or a `return` of its block binds, as Python has it, and uses nothing.
+    What stands behind a `raise` or a `return` of its block, or below `if False`, binds, as Python has it, and uses
+    nothing.
     """
     pending = [(root, False, False)]
     while pending:
@@ -131,8 +133,16 @@ def _names(root: Node) -> Iterator[tuple[Node, bool]]:
         for child in reversed(node.named_children):
             if child != skipped:
                 late = child.type == "identifier" and child in caught
-                behind = passed is not None and child.start_byte > passed
+                behind = (passed is not None and child.start_byte > passed) or _is_off(node, child)
                 pending.append((child, inside or child == left or late, dead or behind))
+
+
+def _is_off(node: Node, child: Node) -> bool:
+    """Whether a child is the body of an `if False` or `if 0`."""
+    if node.type != "if_statement" or child != node.child_by_field_name("consequence"):
+        return False
+    condition = node.child_by_field_name("condition")
+    return condition is not None and condition.text in _OFF
 
 
 def _never_passed(block: Node) -> int | None:

@@ -46,6 +46,8 @@ ROWS = [
     ("\ufeffa = b", ["b"]),
     ("# x\n  # y\na = b; c = d", ["b", "d"]),
     ("def f():\n  raise NotImplementedError\n  return a", []),
+    ("if False:\n  b = a\nelse:\n  c", ["c"]),
+    ("if 0:\n  b = a\nb", []),
     ("def f():\n  if g():\n    return 1\n  return a\ndef g(): pass", ["a"]),
     ("def f():\n  return h\n  h = 1", []),
     ("while 1:\n  break\n  a\nb", ["b"]),
