@@ -1,0 +1,124 @@
+"""Arguments that a launch file reads and that nothing gives a value."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from typing import Final
+
+import msgspec
+from ecm_parsers.launch.model import Argument, Include, LaunchFile, SetConfiguration, Template
+from ecm_parsers.launch.templates import all_actions, plain_text, substitutions
+
+from ecm_extract.entities.launch_reads import is_partly_read
+from ecm_extract.lint.near import nearest
+
+_ROS_2: Final = 2
+_PYTHON: Final = ".py"
+
+
+class Unset(msgspec.Struct, frozen=True):
+    """What is wrong with an argument at a line; `is_sure` tells that no launch of the tree gives it."""
+
+    line: int
+    wrong: str
+    is_sure: bool = True
+
+
+class Unsettled:
+    """The launch files of a tree, each with who includes it by the name of the file."""
+
+    def __init__(self, launches: Mapping[str, LaunchFile]) -> None:
+        self._launches = launches
+        self._by_name: dict[str, list[str]] = defaultdict(list)
+        for path in launches:
+            self._by_name[_last(path)].append(path)
+        self._includes = {path: list(_includes(file)) for path, file in launches.items()}
+        self._includers: dict[str, set[str]] = defaultdict(set)
+        for path, found in self._includes.items():
+            for include in found:
+                self._includers[_target(include)].add(path)
+
+    def of(self, path: str) -> Iterator[Unset]:
+        """Yield what a file reads without a value."""
+        yield from self._own_defaults(path)
+        file = self._launches[path]
+        if file.ros == _ROS_2 and not path.endswith(_PYTHON):
+            yield from self._undeclared(path, file)
+
+    def _own_defaults(self, path: str) -> Iterator[Unset]:
+        given = {name for each in self._into(path) for name, _ in each.arguments}
+        for action in all_actions(self._launches[path].actions):
+            if isinstance(action, Argument) and _reads(action.default or action.value or (), action.name):
+                wrong = f"the default of {action.name} is {action.name} itself"
+                yield Unset(action.line, wrong, action.condition is None and action.name not in given)
+
+    def _into(self, path: str) -> Iterator[Include]:
+        for includer in self._includers[_last(path)]:
+            yield from (each for each in self._includes[includer] if _target(each) == _last(path))
+
+    def _undeclared(self, path: str, file: LaunchFile) -> Iterator[Unset]:
+        """Values of ROS 2 are seen by all that is launched after them, in files that include and are included."""
+        known = self._named_around(path)
+        told = set()
+        for each in substitutions(file.actions):
+            part = each.substitution
+            name = plain_text(part.args[0]) if part.kind == "arg" and len(part.args) == 1 else None
+            if name is None or name in told or known is None or name in known or self._is_open(path, each.line):
+                continue
+            told.add(name)
+            near = nearest(name, known)
+            hint = f"; {near} is declared" if near else ""
+            yield Unset(each.line, f"$(var {name}) is read and nothing declares {name}{hint}", each.is_sure)
+
+    def _named_around(self, path: str) -> set[str] | None:
+        """What the files of all launches that hold this one name; None where one of these cannot be read."""
+        pending, seen = [path], {path}
+        while pending:
+            current = pending.pop()
+            if current != path and (self._is_open(current, None) or is_partly_read(self._launches[current])):
+                return None
+            below = {other for each in self._includes[current] for other in self._by_name[_target(each)]}
+            for other in (self._includers[_last(current)] | below) - seen:
+                seen.add(other)
+                pending.append(other)
+        return {name for each in seen for name in _named(self._launches[each])}
+
+    def _is_open(self, path: str, before: int | None) -> bool:
+        """Whether a file includes one that is not of the tree, before a line."""
+        return any(
+            not self._by_name[_target(each)] for each in self._includes[path] if before is None or each.line < before
+        )
+
+
+def _reads(template: Template, name: str) -> bool:
+    return any(
+        each.substitution.kind == "arg"
+        and len(each.substitution.args) == 1
+        and plain_text(each.substitution.args[0]) == name
+        for each in substitutions(template)
+    )
+
+
+def _named(file: LaunchFile) -> Iterator[str]:
+    for action in all_actions(file.actions):
+        if isinstance(action, Argument):
+            yield action.name
+        elif isinstance(action, SetConfiguration):
+            yield plain_text(action.name) or ""
+        elif isinstance(action, Include):
+            yield from (name for name, _ in action.arguments)
+
+
+def _includes(file: LaunchFile) -> Iterator[Include]:
+    return (action for action in all_actions(file.actions) if isinstance(action, Include))
+
+
+def _target(include: Include) -> str:
+    """The name of the included file, empty where the launch decides it."""
+    last = include.path[-1] if include.path else ""
+    return _last(last) if isinstance(last, str) else ""
+
+
+def _last(path: str) -> str:
+    return path.rpartition("/")[2]
