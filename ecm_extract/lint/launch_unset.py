@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Final
 
 import msgspec
-from ecm_parsers.launch.model import Argument, Include, LaunchFile, SetConfiguration, Template
+from ecm_parsers.launch.model import Action, Argument, Group, Include, LaunchFile, SetConfiguration, Template
 from ecm_parsers.launch.templates import all_actions, plain_text, substitutions
 
 from ecm_extract.entities.launch_reads import is_partly_read
@@ -76,19 +76,38 @@ class Unsettled:
         pending, seen = [path], {path}
         while pending:
             current = pending.pop()
-            if current != path and (self._is_open(current, None) or is_partly_read(self._launches[current])):
+            if current != path and is_partly_read(self._launches[current]):
                 return None
-            below = {other for each in self._includes[current] for other in self._by_name[_target(each)]}
-            for other in (self._includers[_last(current)] | below) - seen:
-                seen.add(other)
-                pending.append(other)
+            above = self._includers[_last(current)] - seen
+            if any(self._is_open(each, line) for each in above for line in self._lines(each, current)):
+                return None
+            below = {other for each in self._includes[current] for other in self._by_name[_target(each)]} - seen
+            if any(self._is_open(each, None) for each in below - above):
+                return None
+            seen |= above | below
+            pending += [*above, *below]
         return {name for each in seen for name in _named(self._launches[each])}
 
+    def _lines(self, includer: str, path: str) -> list[int]:
+        return [each.line for each in self._includes[includer] if _target(each) == _last(path)]
+
     def _is_open(self, path: str, before: int | None) -> bool:
-        """Whether a file includes one that is not of the tree, before a line."""
-        return any(
-            not self._by_name[_target(each)] for each in self._includes[path] if before is None or each.line < before
-        )
+        """Whether a file that is not of the tree is included in the same scope, before a line."""
+        found = _visible(self._launches[path].actions, before)
+        return any(not self._by_name[_target(each)] for each in found)
+
+
+def _visible(actions: tuple[Action, ...], before: int | None) -> Iterator[Include]:
+    """Includes whose values are seen at a line, or at the end: what a group sets ends with it."""
+    for action in actions:
+        if isinstance(action, Include) and (before is None or action.line < before):
+            yield action
+        elif isinstance(action, Group) and (not action.scoped or (before is not None and _holds(action, before))):
+            yield from _visible(action.actions, before)
+
+
+def _holds(group: Group, line: int) -> bool:
+    return group.line <= line <= max((each.line for each in all_actions(group.actions)), default=group.line)
 
 
 def _reads(template: Template, name: str) -> bool:

@@ -18,7 +18,8 @@ def lost_actions(tree: ast.Module, made: Mapping[ast.stmt, Value]) -> Iterator[D
     """Yield each action that a function binds to a name which is bound anew, or not read at all.
 
     Args:
-        tree: the file. made: what each assignment that was read binds.
+        tree: the file.
+        made: what each assignment that was read binds.
     """
     for function in ast.walk(tree):
         if isinstance(function, ast.FunctionDef):
