@@ -59,34 +59,32 @@ class Unsettled:
 
     def _undeclared(self, path: str, file: LaunchFile) -> Iterator[Unset]:
         """Values of ROS 2 are seen by all that is launched after them, in files that include and are included."""
-        known = self._named_around(path)
+        known, is_open = self._named_around(path)
         told = set()
         for each in substitutions(file.actions):
             part = each.substitution
             name = plain_text(part.args[0]) if part.kind == "arg" and len(part.args) == 1 else None
-            if name is None or name in told or known is None or name in known or self._is_open(path, each.line):
+            if name is None or name in told or name in known:
                 continue
             told.add(name)
             near = nearest(name, known)
             hint = f"; {near} is declared" if near else ""
-            yield Unset(each.line, f"$(var {name}) is read and nothing declares {name}{hint}", each.is_sure)
+            is_sure = each.is_sure and not is_open and not self._is_open(path, each.line)
+            yield Unset(each.line, f"$(var {name}) is read and nothing of the tree declares {name}{hint}", is_sure)
 
-    def _named_around(self, path: str) -> set[str] | None:
-        """What the files of all launches that hold this one name; None where one of these cannot be read."""
-        pending, seen = [path], {path}
+    def _named_around(self, path: str) -> tuple[set[str], bool]:
+        """What the files of all launches that hold this one name, and whether one of these may name more."""
+        pending, seen, is_open = [path], {path}, False
         while pending:
             current = pending.pop()
-            if current != path and is_partly_read(self._launches[current]):
-                return None
             above = self._includers[_last(current)] - seen
-            if any(self._is_open(each, line) for each in above for line in self._lines(each, current)):
-                return None
             below = {other for each in self._includes[current] for other in self._by_name[_target(each)]} - seen
-            if any(self._is_open(each, None) for each in below - above):
-                return None
+            is_open |= current != path and is_partly_read(self._launches[current])
+            is_open |= any(self._is_open(each, line) for each in above for line in self._lines(each, current))
+            is_open |= any(self._is_open(each, None) for each in below - above)
             seen |= above | below
             pending += [*above, *below]
-        return {name for each in seen for name in _named(self._launches[each])}
+        return {name for each in seen for name in _named(self._launches[each])}, is_open
 
     def _lines(self, includer: str, path: str) -> list[int]:
         return [each.line for each in self._includes[includer] if _target(each) == _last(path)]
