@@ -10,14 +10,12 @@ import ast
 from collections.abc import Iterator
 from typing import Any, Final
 
-from ecm_parsers.launch.model import Argument, LaunchFile, Substitution
-from ecm_parsers.launch.templates import all_actions, plain_text
+from ecm_parsers.launch.model import Substitution, Tested
+from ecm_parsers.launch.templates import plain_text
 from ecm_parsers.launch.values import Text, Unknown, Value
 from ecm_parsers.result import Diagnostic
 
 OBJECT_TESTED: Final = "launch-object-tested"
-TEXT_TESTED: Final = "launch-text-tested"
-_WORDS: Final = frozenset({"true", "false"})
 
 
 class Doubts:
@@ -55,16 +53,16 @@ class Doubts:
             elif one.is_performed and isinstance(other, bool):
                 self._objects.setdefault(line, f"the text of `{name}` is compared with {other!r}, which it never is")
 
-    def told(self, file: LaunchFile) -> Iterator[Diagnostic]:
-        """Yield the problems; a text is told where its argument is one of `true` and `false`."""
+    def told(self) -> Iterator[Diagnostic]:
+        """Yield the problems."""
+        advice = "Compare the text that `perform(context)` gives with a text"
         for line, wrong in self._objects.items():
-            yield _problem(OBJECT_TESTED, line, wrong)
-        switches = {each.name for each in all_actions(file.actions) if isinstance(each, Argument) and _is_switch(each)}
-        for line, name in self._texts.items():
-            if name in switches:
-                yield _problem(
-                    TEXT_TESTED, line, f"the text of `{name}` is tested, and `false` holds as well as `true`"
-                )
+            yield Diagnostic("warning", OBJECT_TESTED, line, f"{wrong}. {advice}.", wrong=wrong, advice=advice)
+
+    @property
+    def texts(self) -> tuple[Tested, ...]:
+        """Arguments whose text is asked whether it holds."""
+        return tuple(Tested(name, line) for line, name in self._texts.items())
 
 
 def _configuration(value: Any) -> str | None:
@@ -73,14 +71,3 @@ def _configuration(value: Any) -> str | None:
         return None
     part = value.parts[0]
     return plain_text(part.args[0]) if isinstance(part, Substitution) and part.kind == "arg" and part.args else None
-
-
-def _is_switch(argument: Argument) -> bool:
-    default = plain_text(argument.default)
-    words = {default.strip().lower()} if default is not None else set()
-    return bool(words) and words <= _WORDS and all(each.strip().lower() in _WORDS for each in argument.choices)
-
-
-def _problem(code: str, line: int, wrong: str) -> Diagnostic:
-    advice = "Compare the text that `perform(context)` gives with a text"
-    return Diagnostic("warning", code, line, f"{wrong}. {advice}.", wrong=wrong, advice=advice)

@@ -67,8 +67,8 @@ def _read(tree: ast.Module, sources: Sources | None) -> Parsed[LaunchFile | None
         made = made[0]  # generate_test_description returns (description, context)
     if not isinstance(made, Description | list):
         return Parsed(LaunchFile(2), (*problems, _unread(entry, made)))
-    file = LaunchFile(2, actions_of(made))
-    return Parsed(file, (*problems, *interpreter.doubts.told(file)))
+    doubts = interpreter.doubts
+    return Parsed(LaunchFile(2, actions_of(made), doubts.texts), (*problems, *doubts.told()))
 
 
 def _unread(entry: Function, made: Value) -> Diagnostic:
