@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 from typing import Final
 
-from ecm_parsers.launch.model import Action, Include, LaunchFile, Node, PushNamespace, Remap, Template
+from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, PushNamespace, Remap, Template
 from ecm_parsers.launch.templates import all_actions
 
 _ROS_1: Final = 1
@@ -20,11 +20,25 @@ _HOLE: Final = "x"
 
 def invalid_names(file: LaunchFile) -> Iterator[tuple[int, str]]:
     """Yield the line of each name that is none, and what is wrong."""
+    of_parameters = {
+        each
+        for group in all_actions(file.actions)
+        if isinstance(group, Group) and file.ros == _ROS_1 and not _starts(group)
+        for each in group.actions
+        if isinstance(each, PushNamespace)
+    }
     for action in all_actions(file.actions):
+        if isinstance(action, PushNamespace) and action in of_parameters:
+            continue
         for what, name in _names(action):
             wrong = _wrong(name, file.ros)
             if wrong:
                 yield action.line, f"{what} {wrong}"
+
+
+def _starts(group: Group) -> bool:
+    """Whether a group has nodes; the namespace of parameters alone is a text like any other."""
+    return any(isinstance(each, Node | Include) for each in all_actions(group.actions))
 
 
 def _names(action: Action) -> Iterator[tuple[str, Template]]:

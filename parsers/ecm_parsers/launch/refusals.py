@@ -42,7 +42,9 @@ class Refusal(msgspec.Struct, frozen=True):
 
 
 def refusals(root: Entity, ros: int) -> Iterator[Refusal]:
-    """Yield what is refused below the root of a launch file."""
+    """Yield what is refused below the root of a launch file; nothing of one that was never wholly ported to ROS 2."""
+    if ros != _ROS_1 and _has_nodes_of_ros_1(root):
+        return
     for child in root.children:
         yield from _below(child, ros, is_sure=True)
 
@@ -59,6 +61,11 @@ def _below(entity: Entity, ros: int, *, is_sure: bool) -> Iterator[Refusal]:
             yield Refusal(entity.line, name, problem, is_sure if name in _CONDITIONS else inside)
     for child in entity.children:
         yield from _below(child, ros, is_sure=inside)
+
+
+def _has_nodes_of_ros_1(entity: Entity) -> bool:
+    own = entity.tag == "node" and "type" in entity.attributes and "exec" not in entity.attributes
+    return own or any(map(_has_nodes_of_ros_1, entity.children))
 
 
 def _problem(text: str, ros: int) -> str | None:
