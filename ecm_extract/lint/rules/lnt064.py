@@ -7,12 +7,12 @@ from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.launch.files import refused_xml_1, refused_xml_2, refused_yaml
 from ecm_parsers.launch.model import LaunchFile
 
 from ecm_extract.entities.launch_values import is_judged
 from ecm_extract.lint.launch_names import invalid_names
 from ecm_extract.lint.launch_unset import Unset, Unsettled
+from ecm_extract.lint.refused_values import is_left_behind
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -25,7 +25,6 @@ RULE = LintRule(
     consequence="the launch stops there, or goes on with a text that nobody meant",
     resolution="correct the value",
 )
-_YAML = (".yaml", ".yml")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -35,10 +34,10 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for entry in package.root.files:
             path = entry.path
             file = workspace.launches.get(path)
-            if file is None or not is_judged(path) or _is_left_behind(file, package.ros):
+            if file is None or not is_judged(path) or is_left_behind(file, package.ros):
                 continue
             lines: dict[str, list[Unset]] = defaultdict(list)
-            for each in (*_refused(path, file, workspace), *unsettled.of(path), *_named(file)):
+            for each in (*unsettled.of(path), *_named(file)):
                 lines[each.wrong].append(each)
             for wrong, places in lines.items():
                 yield RULE.finding(
@@ -48,19 +47,6 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     [Evidence(path, each.line) for each in places],
                     certainty="proved" if any(each.is_sure for each in places) else "likely",
                 )
-
-
-def _is_left_behind(file: LaunchFile, ros: int | None) -> bool:
-    """A file of ROS 1 in a package of ROS 2 runs nowhere, whatever its values are."""
-    return ros == 2 and file.ros == 1
-
-
-def _refused(path: str, file: LaunchFile, workspace: Workspace) -> Iterator[Unset]:
-    if path.endswith(".py"):
-        return
-    parser = refused_yaml if path.endswith(_YAML) else refused_xml_1 if file.ros == 1 else refused_xml_2
-    for each in workspace.files.parsed(path, parser) or ():
-        yield Unset(each.line, each.wrong, each.is_sure)
 
 
 def _named(file: LaunchFile) -> Iterator[Unset]:

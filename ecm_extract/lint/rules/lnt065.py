@@ -24,6 +24,7 @@ RULE = LintRule(
     who="config",
     consequence="the same side is taken whatever the argument is",
     resolution="compare the text that perform(context) gives with a text, in an OpaqueFunction; or use a condition",
+    tier="stable",
 )
 
 
