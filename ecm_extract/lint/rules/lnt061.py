@@ -1,4 +1,4 @@
-"""LNT061: a launch file, description, package.xml or CMakeLists.txt is not well-formed."""
+"""LNT061: a launch file, description, package.xml or CMakeLists.txt is not well-formed, or has a refused value."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
 from ecm_extract.lint.refused import XML, refusal
+from ecm_extract.lint.refused_values import refused_values
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.test_code import is_test_path
@@ -25,7 +26,23 @@ RULE = LintRule(
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report the first problem of each file that a strict reader refuses."""
+    """Report the first problem of each file that a strict reader refuses, and values that launch refuses."""
+    yield from _malformed(workspace)
+    for package in workspace.packages:
+        for entry in package.root.files:
+            for wrong, places in refused_values(entry.path, package.ros, workspace).items():
+                yield RULE.finding(
+                    f"{entry.path}: {wrong}",
+                    Entity("launch_file", workspace.in_package(entry.path), wrong),
+                    package.name,
+                    [Evidence(entry.path, each.line) for each in places],
+                    certainty="proved" if any(each.is_sure for each in places) else "likely",
+                    consequence="the launch stops there, or goes on with a text that nobody meant",
+                    resolution="correct the substitution or the condition",
+                )
+
+
+def _malformed(workspace: Workspace) -> Iterator[Finding]:
     for package in workspace.packages:
         for entry in package.root.files:
             path = entry.path

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from ecm_parsers.launch.arguments import Arguments
 from ecm_parsers.launch.classes import member
 from ecm_parsers.launch.constructors import CONSTRUCTORS
+from ecm_parsers.launch.doubts import Doubts
 from ecm_parsers.launch.methods import hashable
 from ecm_parsers.launch.model import Action, Group, Substitution, Template
 from ecm_parsers.launch.operators import binary, compare, negated, subscript, truth
@@ -26,6 +27,7 @@ from ecm_parsers.launch.values import (
     Unknown,
     Value,
     actions_of,
+    as_str,
     expanded,
     guarded,
     is_yaml_file,
@@ -62,6 +64,7 @@ class Expressions(ABC):
         self.steps = 0
         self.line = 0
         self.problem: Diagnostic | None = None
+        self.doubts = Doubts()
         self._work = 0
 
     @abstractmethod
@@ -135,7 +138,7 @@ class Expressions(ABC):
         owner, key = self.value(node.value, scope), self.value(node.slice, scope)
         if isinstance(owner, Reference) and owner.last in {"environ", "launch_configurations"}:
             kind = "env" if owner.last == "environ" else "arg"
-            return Text((Substitution(kind, (template_of(key),)),), is_str=True)
+            return as_str(Text((Substitution(kind, (template_of(key),)),)))
         found = subscript(self.loaded(owner), key)
         return Unknown(source_of(node)) if isinstance(found, Unknown) else found
 
@@ -198,6 +201,8 @@ class Expressions(ABC):
         value: Value = conjunction
         for part in node.values:
             value = self.value(part, scope)
+            if part is not node.values[-1]:
+                self.doubts.tested(value, part.lineno)
             holds = truth(value)
             if isinstance(holds, bool):
                 if holds is not conjunction:
@@ -213,6 +218,7 @@ class Expressions(ABC):
     def _unary(self, node: ast.UnaryOp, scope: Scope) -> Value:
         value = self.value(node.operand, scope)
         if isinstance(node.op, ast.Not):
+            self.doubts.tested(value, node.lineno)
             holds = truth(value)
             return not holds if isinstance(holds, bool) else Text(negated(holds))
         if isinstance(node.op, ast.USub) and isinstance(value, int | float):
@@ -221,11 +227,15 @@ class Expressions(ABC):
 
     def _compare(self, node: ast.Compare, scope: Scope) -> Value:
         values = [self.value(part, scope) for part in (node.left, *node.comparators)]
+        for at, kind in enumerate(node.ops):
+            self.doubts.compared(kind, values[at], values[at + 1], node.lineno)
         results = [compare(op, values[at], values[at + 1]) for at, op in enumerate(node.ops)]
         return Unknown(source_of(node)) if len(results) > 1 or isinstance(results[0], Unknown) else results[0]
 
     def _if_expression(self, node: ast.IfExp, scope: Scope) -> Value:
-        holds = truth(self.value(node.test, scope))
+        tested = self.value(node.test, scope)
+        self.doubts.tested(tested, node.lineno)
+        holds = truth(tested)
         if isinstance(holds, bool):
             return self.value(node.body if holds else node.orelse, scope)
         return choice(holds, self.value(node.body, scope), self.value(node.orelse, scope))

@@ -7,6 +7,7 @@ from typing import Literal
 
 from ecm_parsers.launch.entity import Entity, of_xml, of_yaml
 from ecm_parsers.launch.model import LaunchFile
+from ecm_parsers.launch.refusals import Refusal, refusals
 from ecm_parsers.launch.ros1_xml import Ros1Reader
 from ecm_parsers.launch.ros2_markup import Ros2Reader
 from ecm_parsers.result import Diagnostic, Parsed
@@ -67,6 +68,28 @@ def parse_launch_yaml(data: bytes) -> Parsed[LaunchFile | None]:
         message = "There is no `launch:` list; the file is no launch file. Add it."
         return Parsed(None, (*tree.diagnostics, Diagnostic("error", "launch-wrong-root", 0, message)))
     return _read(of_yaml("launch", body, body.line), 2, tree.diagnostics)
+
+
+def refused_xml_1(data: bytes) -> tuple[Refusal, ...]:
+    """Return the values that roslaunch refuses in a launch file."""
+    return _refused_xml(data, 1)
+
+
+def refused_xml_2(data: bytes) -> tuple[Refusal, ...]:
+    """Return the values that launch refuses in a launch file in XML of ROS 2."""
+    return _refused_xml(data, 2)
+
+
+def _refused_xml(data: bytes, ros: Literal[1, 2]) -> tuple[Refusal, ...]:
+    tree = parse_xml(data)
+    return tuple(refusals(of_xml(tree.root), ros)) if tree.root is not None and not tree.diagnostics else ()
+
+
+def refused_yaml(data: bytes) -> tuple[Refusal, ...]:
+    """Return the values that the launch refuses in a launch file in YAML."""
+    document = next((entry for entry in parse_yaml(data, typed_by_pyyaml).facts if isinstance(entry, Mapping)), None)
+    body = document.get("launch") if document is not None else None
+    return tuple(refusals(of_yaml("launch", body, body.line), 2)) if body is not None else ()
 
 
 def _read(root: Entity, version: Literal[1, 2], diagnostics: tuple[Diagnostic, ...]) -> Parsed[LaunchFile | None]:

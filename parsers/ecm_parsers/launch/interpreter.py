@@ -65,6 +65,7 @@ class Interpreter(Calls):
             self.value(node.value, scope)
         elif isinstance(node, ast.Assign):
             value = self.value(node.value, scope)
+            self.doubts.made[node] = value
             for target in node.targets:
                 self.assign(target, value, scope)
         elif isinstance(node, ast.AnnAssign) and node.value is not None:
@@ -82,7 +83,9 @@ class Interpreter(Calls):
             scope.names[node.name] = class_of(node, tuple(self.value(base, scope) for base in node.bases), body)
 
     def _if(self, node: ast.If, scope: Scope, returned: list[tuple[Template | None, Value]]) -> bool:
-        holds = truth(self.value(node.test, scope))
+        tested = self.value(node.test, scope)
+        self.doubts.tested(tested, node.lineno)
+        holds = truth(tested)
         if isinstance(holds, bool):
             return self._block(node.body if holds else node.orelse, scope, returned)
         outer, before = self._guard, dict(scope.names)

@@ -18,6 +18,7 @@ from ecm_parsers.launch.values import (
     Text,
     Unknown,
     Value,
+    as_str,
     is_yaml_file,
     merged_text,
     template_of,
@@ -142,7 +143,7 @@ def _of_template(owner: Text, name: str, given: Arguments) -> Value:
     if name == "joinpath":
         return joined_path((owner, *given.positional))
     if name == "perform":
-        return Text(owner.parts, is_str=True)
+        return as_str(owner)
     return owner if name in _SAME else Unknown(name)
 
 
@@ -212,7 +213,7 @@ def _range(*bounds: int) -> Value:
 
 
 def _number(kind: Callable[[Value], Value]) -> Callable[[Value], Value]:
-    return lambda value: value if isinstance(value, Text) else kind(value)
+    return lambda value: Text(value.parts, value.is_str) if isinstance(value, Text) else kind(value)
 
 
 _EMPTY: Mapping[str, Callable[[], Value]] = MappingProxyType(

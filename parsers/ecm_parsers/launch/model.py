@@ -218,8 +218,19 @@ Action: TypeAlias = (
 )
 
 
+class Tested(msgspec.Struct, frozen=True):
+    """A launch argument whose text a file in Python asks whether it holds, and the line."""
+
+    name: str
+    line: int
+
+
 class LaunchFile(msgspec.Struct, frozen=True):
-    """The actions of one file; `ros` tells by which rules its names and parameters resolve."""
+    """The actions of one file; `ros` tells by which rules its names and parameters resolve.
+
+    `texts_tested` are the arguments whose text a file in Python tests.
+    """
 
     ros: Literal[1, 2]
     actions: tuple[Action, ...] = ()
+    texts_tested: tuple[Tested, ...] = ()

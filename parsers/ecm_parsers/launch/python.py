@@ -8,6 +8,7 @@ import warnings
 from ecm_parsers.launch.arguments import Arguments
 from ecm_parsers.launch.expressions import TooLongError
 from ecm_parsers.launch.interpreter import Interpreter
+from ecm_parsers.launch.lost import lost_actions
 from ecm_parsers.launch.model import LaunchFile
 from ecm_parsers.launch.sources import Sources
 from ecm_parsers.launch.values import Description, Function, Value, actions_of
@@ -61,11 +62,13 @@ def _read(tree: ast.Module, sources: Sources | None) -> Parsed[LaunchFile | None
         return Parsed(None, (Diagnostic("info", "launch-no-entry", 0, message),))
     made = interpreter.call(entry, Arguments((), {}, 0))
     problems = () if interpreter.problem is None else (interpreter.problem,)
+    problems = (*problems, *lost_actions(tree, interpreter.doubts.made))
     if isinstance(made, tuple) and made:
         made = made[0]  # generate_test_description returns (description, context)
     if not isinstance(made, Description | list):
         return Parsed(LaunchFile(2), (*problems, _unread(entry, made)))
-    return Parsed(LaunchFile(2, actions_of(made)), problems)
+    doubts = interpreter.doubts
+    return Parsed(LaunchFile(2, actions_of(made), doubts.texts), (*problems, *doubts.told()))
 
 
 def _unread(entry: Function, made: Value) -> Diagnostic:

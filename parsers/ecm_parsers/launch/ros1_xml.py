@@ -63,6 +63,11 @@ class Ros1Reader:
             "master": lambda _: None,
         }
 
+    @property
+    def tags(self) -> frozenset[str]:
+        """Elements that roslaunch knows."""
+        return frozenset(self._readers)
+
     def actions(self, parent: Entity) -> tuple[Action, ...]:
         """Return the actions below an element, in order."""
         return tuple(self._read(parent))

@@ -36,6 +36,7 @@ _QUIET = frozenset({"log", "log_info", "shutdown", "unset_env", "unset", "reset"
 _TYPES: Mapping[str, Typing] = MappingProxyType({"str": "str", "int": "int", "float": "double", "bool": "bool"})
 """Typing by the attribute `type` of a parameter; lists are told by YAML."""
 _CONTAINERS = frozenset({"timer", "forward", "launch", "on_exit"})
+_PARTS = frozenset({"remap", "param", "env", "composable_node"})
 
 
 class Ros2Reader:
@@ -61,6 +62,11 @@ class Ros2Reader:
             "set_parameter": self._set_parameter,
             "set_parameters_from_file": _parameters_from_file,
         }
+
+    @property
+    def tags(self) -> frozenset[str]:
+        """Elements whose attributes launch reads, those inside other elements too."""
+        return frozenset(self._readers) | _CONTAINERS | _PARTS
 
     def actions(self, parent: Entity) -> tuple[Action, ...]:
         """Return the actions below an element, in order."""

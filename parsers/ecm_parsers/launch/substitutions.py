@@ -86,7 +86,7 @@ def _yaml(given: Arguments) -> Value:
     parts = value.parts if isinstance(value, Text) else ()
     if len(parts) == 1 and isinstance(parts[0], Substitution) and parts[0].kind == "file":
         return _sub("yaml", *parts[0].args)
-    return value
+    return Text(value.parts, value.is_str) if isinstance(value, Text) else value
 
 
 def _same(given: Arguments) -> Value:

@@ -33,11 +33,13 @@ MAX_DEPTH = 20
 class Text:
     """A text with substitutions, or one substitution; `TOO_LARGE` where it has too many.
 
-    `is_str` tells that it is a `str` when the file is run, not a substitution of `launch`.
+    `is_str` tells that it is a `str` when the file is run, not a substitution of `launch`; `is_performed` that it is
+    the text itself of what it substitutes.
     """
 
     parts: Template
     is_str: bool = field(default=False, compare=False)
+    is_performed: bool = field(default=False, compare=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parts", bounded(self.parts))
@@ -224,7 +226,7 @@ def merged_text(parts: Template, *, is_str: bool = False) -> Value:
 
 def as_str(value: Value) -> Value:
     """Return what a substitution gives as a `str` of Python."""
-    return Text(value.parts, is_str=True) if isinstance(value, Text) else value
+    return Text(value.parts, is_str=True, is_performed=True) if isinstance(value, Text) else value
 
 
 def command_words(value: Value) -> tuple[Template, ...]:

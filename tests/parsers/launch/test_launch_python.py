@@ -136,7 +136,7 @@ return LaunchDescription([made])
 
 def test_early_return_guards_what_follows() -> None:
     """After `if x: return`, the rest is taken only without x."""
-    body = "if LaunchConfiguration('x'):\n    return [Node(package='p', executable='a')]\nreturn [Node(package='p', executable='b')]"
+    body = "if LaunchConfiguration('x').perform(context):\n    return [Node(package='p', executable='a')]\nreturn [Node(package='p', executable='b')]"
     before = f"def setup(context):\n{''.join(f'    {line}' + chr(10) for line in body.splitlines())}"
     (group,) = read("return LaunchDescription([OpaqueFunction(function=setup)])", before)
     assert isinstance(group, Group)
