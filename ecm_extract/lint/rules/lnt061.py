@@ -1,4 +1,4 @@
-"""LNT061: a launch file, description, package.xml or CMakeLists.txt is not well-formed."""
+"""LNT061: the reader of a launch file, description, package.xml, CMakeLists.txt, Python or YAML file refuses it."""
 
 from __future__ import annotations
 
@@ -7,9 +7,11 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
-from ecm_extract.lint.refused import XML, refusal
+from ecm_extract.lint.refused import refusal
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.test_code import is_test_path
 
 RULE = LintRule(
@@ -27,14 +29,22 @@ RULE = LintRule(
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report the first problem of each file that a strict reader refuses."""
     for package in workspace.packages:
-        for entry in package.root.files:
-            path = entry.path
-            if is_test_path(path, package.root.path) or "template" in path.lower():
-                continue
-            if not f"/{path}".endswith((*XML, "/CMakeLists.txt")):
-                continue
+        for path in filter(lambda each: _is_read(each, package), _paths(package)):
             problem = refusal(path, workspace)
             if problem is not None:
                 entity = Entity("file", workspace.in_package(path))
-                text = f"{path} is not well-formed ({problem.wrong or problem.message.rstrip('.')})"
+                text = f"{path} is refused by its reader ({problem.wrong or problem.message.rstrip('.')})"
                 yield RULE.finding(text, entity, package.name, [Evidence(path, problem.line)], certainty="proved")
+
+
+def _paths(package: PackageFacts) -> Iterator[str]:
+    return (entry.path for entry in package.root.files)
+
+
+def _is_read(path: str, package: PackageFacts) -> bool:
+    """No test, no template, and of Python what the package runs or is built with."""
+    if is_test_path(path, package.root.path) or "template" in path.lower():
+        return False
+    if path.endswith(".py") and path not in package.sources:
+        return is_launch_file(path) or path.rpartition("/")[2] == "setup.py"
+    return not (path.endswith((".py", ".yaml", ".yml")) and "/." in f"/{path}")
