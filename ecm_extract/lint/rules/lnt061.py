@@ -12,7 +12,7 @@ from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file
-from ecm_extract.test_code import is_test_path
+from ecm_extract.test_code import is_in_test_folder, is_test_path
 
 RULE = LintRule(
     id="LNT061",
@@ -24,6 +24,8 @@ RULE = LintRule(
     resolution="correct the line, and escape & as &amp; and < as &lt; in XML",
     tier="stable",
 )
+_YAML = (".yaml", ".yml")
+"""Read by nodes, and by rosparam, where the package is one of ROS."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -43,8 +45,10 @@ def _paths(package: PackageFacts) -> Iterator[str]:
 
 def _is_read(path: str, package: PackageFacts) -> bool:
     """No test, no template, and of Python what the package runs or is built with."""
-    if is_test_path(path, package.root.path) or "template" in path.lower():
+    if is_test_path(path, package.root.path) or is_in_test_folder(path) or "template" in path.lower():
+        return False
+    if path.endswith(_YAML) and package.ros is None:
         return False
     if path.endswith(".py") and path not in package.sources:
         return is_launch_file(path) or path.rpartition("/")[2] == "setup.py"
-    return not (path.endswith((".py", ".yaml", ".yml")) and "/." in f"/{path}")
+    return not (path.endswith((".py", *_YAML)) and "/." in f"/{path}")
