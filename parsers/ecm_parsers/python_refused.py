@@ -1,6 +1,7 @@
 """Python that no reader takes: in doubt it is taken, since a syntax may be newer, or older, than what reads it here.
 
-The parser of Python itself says what it refuses, and the syntax tree, which knows every version, what is only of another one.
+The parser of Python itself says what it refuses, and the syntax tree, which knows every version, what is only of
+another one.
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ RULE = LintRule(
     dimension="versioning",
     severity="error",
     who="config",
-    consequence="whoever reads the file stops there with an error: roslaunch, xacro, CMake or the build tool",
+    consequence="whoever reads the file stops there with an error: roslaunch, xacro, Python, rosparam or the build",
     resolution="correct the line, and escape & as &amp; and < as &lt; in XML",
     tier="stable",
 )
