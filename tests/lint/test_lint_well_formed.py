@@ -35,11 +35,18 @@ ROWS = [
     ("config/a.yaml", "a: {{ b }}: c\n", False),
     ("test/a.yaml", "a: b: c\n", False),
 ]
+SETUP = (
+    "from setuptools import setup\nsetup(name='pkg', packages=['pkg'], "
+    "entry_points={'console_scripts': ['node = pkg.node:main']})\n"
+)
 OF_ROS_2 = [
-    ("launch/a.launch.py", "if a\n", True),
-    ("pkg/node.py", "print 'a'\n", True),
-    ("pkg/node.py", "print('a')\n", False),
-    ("pkg/node.py", "import rospy\nprint 'a'\n", True),
+    ("launch/a.launch.py", "if a\n", "error"),
+    ("pkg/node.py", "print 'a'\n", "error"),
+    ("pkg/node.py", "print('a')\n", ""),
+    ("pkg/node.py", "import rospy\nprint 'a'\n", "info"),
+    ("pkg/part.py", "print 'a'\n", "error"),
+    ("pkg/piece.py", "print 'a'\n", "info"),
+    ("tools/draw.py", "print 'a'\n", "info"),
 ]
 MANIFEST = "<package{}><name>{}</name><version>1.0.0</version>{}</package>"
 MANIFESTS = [
@@ -57,13 +64,12 @@ def test_well_formed(workspace: Workspace, path: str, text: str, expected: bool)
     assert ("LNT061" in found) is expected
 
 
-@pytest.mark.parametrize(("path", "text", "expected"), OF_ROS_2)
-def test_python_of_ros_2(workspace: Workspace, path: str, text: str, expected: bool) -> None:
-    """It is Python 3, whoever wrote it for another; what only ROS 1 has is told as left over."""
-    found = lint(workspace.package({path: text}, ros=2).root)
-    assert ("LNT061" in [finding.rule for finding in found]) is expected
-    levels = {finding.severity for finding in found if finding.rule == "LNT061"}
-    assert levels == ({"info" if "rospy" in text else "error"} if expected else set())
+@pytest.mark.parametrize(("path", "text", "level"), OF_ROS_2)
+def test_python_of_ros_2(workspace: Workspace, path: str, text: str, level: str) -> None:
+    """It is Python 3, whoever wrote it for another; what nothing starts or imports is an info."""
+    files = {"setup.py": SETUP, "pkg/__init__.py": "", "pkg/other.py": "from pkg.part import run\n", path: text}
+    found = lint(workspace.package(files, ros=2).root)
+    assert [finding.severity for finding in found if finding.rule == "LNT061"] == ([level] if level else [])
 
 
 @pytest.mark.parametrize(("text", "expected"), MANIFESTS)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 
+from ecm_extract.lint.installed_files import is_in_use
 from ecm_extract.lint.refused import refusal
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
@@ -36,7 +37,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             if problem is not None:
                 entity = Entity("file", workspace.in_package(path))
                 text = f"{path} is refused by its reader ({problem.wrong or problem.message.rstrip('.')})"
-                yield RULE.finding(text, entity, package.name, [Evidence(path, problem.line)], certainty="proved")
+                level: Severity | None = None if _is_used(path, package, workspace) else "info"
+                yield RULE.finding(text, entity, package.name, [Evidence(path, problem.line)], severity=level)
 
 
 def _paths(package: PackageFacts) -> Iterator[str]:
@@ -44,11 +46,18 @@ def _paths(package: PackageFacts) -> Iterator[str]:
 
 
 def _is_read(path: str, package: PackageFacts) -> bool:
-    """No test, no template, and of Python what the package runs or is built with."""
+    """No test, no template, no hidden copy, and of Python what the package runs or is built with."""
     if is_test_path(path, package.root.path) or is_in_test_folder(path) or "template" in path.lower():
         return False
     if path.endswith(_YAML) and package.ros is None:
         return False
     if path.endswith(".py") and path not in package.sources:
         return is_launch_file(path) or path.rpartition("/")[2] == "setup.py"
-    return not (path.endswith((".py", *_YAML)) and "/." in f"/{path}")
+    return "/." not in f"/{path}"
+
+
+def _is_used(path: str, package: PackageFacts, workspace: Workspace) -> bool:
+    """Launch files run, and so does what ROS 1 finds in the folder of a package; ROS 2 runs what is installed."""
+    if not path.endswith(".py") or package.ros != 2 or is_launch_file(path) or path.endswith("setup.py"):
+        return True
+    return is_in_use(path, package, workspace.packages)

@@ -34,6 +34,8 @@ def tell(known: Known) -> Iterator[Finding]:
     for package in known.packages.by_name.values():
         if package.name in known.own:
             for name, rows in _impossible(package).items():
+                if name in known.packages.by_name:
+                    continue
                 text = f"{package.name} asks for a package '{name[:_SHOWN]}', and none can be called so"
                 lines = known.lines_of(package.name, (place for row in rows for place in row.evidence))[:_LINES]
                 certain = all(row.certainty == "proved" for row in rows)
