@@ -1,17 +1,20 @@
-"""LNT061: a launch file, description, package.xml or CMakeLists.txt is not well-formed, or has a refused value."""
+"""LNT061: the reader of a file refuses it: XML, CMake, Python, YAML, a manifest, or a value of a launch file."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 
-from ecm_extract.lint.refused import XML, refusal
+from ecm_extract.lint.installed_files import is_in_use
+from ecm_extract.lint.refused import refusal
 from ecm_extract.lint.refused_values import refused_values
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
-from ecm_extract.test_code import is_test_path
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.system.launch_files import is_launch_file
+from ecm_extract.test_code import is_in_test_folder, is_test_path
 
 RULE = LintRule(
     id="LNT061",
@@ -19,10 +22,12 @@ RULE = LintRule(
     dimension="versioning",
     severity="error",
     who="config",
-    consequence="whoever reads the file stops there with an error: roslaunch, xacro, CMake or the build tool",
+    consequence="whoever reads the file stops there with an error: roslaunch, xacro, Python, rosparam or the build",
     resolution="correct the line, and escape & as &amp; and < as &lt; in XML",
     tier="stable",
 )
+_YAML = (".yaml", ".yml")
+"""Read by nodes, and by rosparam, where the package is one of ROS."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -44,14 +49,32 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 def _malformed(workspace: Workspace) -> Iterator[Finding]:
     for package in workspace.packages:
-        for entry in package.root.files:
-            path = entry.path
-            if is_test_path(path, package.root.path) or "template" in path.lower():
-                continue
-            if not f"/{path}".endswith((*XML, "/CMakeLists.txt")):
-                continue
+        for path in filter(lambda each: _is_read(each, package), _paths(package)):
             problem = refusal(path, workspace)
             if problem is not None:
                 entity = Entity("file", workspace.in_package(path))
-                text = f"{path} is not well-formed ({problem.wrong or problem.message.rstrip('.')})"
-                yield RULE.finding(text, entity, package.name, [Evidence(path, problem.line)], certainty="proved")
+                text = f"{path} is refused by its reader ({problem.wrong or problem.message.rstrip('.')})"
+                level: Severity | None = None if _is_used(path, package, workspace) else "info"
+                yield RULE.finding(text, entity, package.name, [Evidence(path, problem.line)], severity=level)
+
+
+def _paths(package: PackageFacts) -> Iterator[str]:
+    return (entry.path for entry in package.root.files)
+
+
+def _is_read(path: str, package: PackageFacts) -> bool:
+    """No test, no template, no hidden copy, and of Python what the package runs or is built with."""
+    if is_test_path(path, package.root.path) or is_in_test_folder(path) or "template" in path.lower():
+        return False
+    if path.endswith(_YAML) and package.ros is None:
+        return False
+    if path.endswith(".py") and path not in package.sources:
+        return is_launch_file(path) or path.rpartition("/")[2] == "setup.py"
+    return "/." not in f"/{path}"
+
+
+def _is_used(path: str, package: PackageFacts, workspace: Workspace) -> bool:
+    """Launch files run, and so does what ROS 1 finds in the folder of a package; ROS 2 runs what is installed."""
+    if not path.endswith(".py") or package.ros != 2 or is_launch_file(path) or path.endswith("setup.py"):
+        return True
+    return is_in_use(path, package, workspace.packages)
