@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -13,6 +13,7 @@ from ecm_extract.infer.effects import Effect, is_plain, perhaps_called
 from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
+from ecm_extract.infer.places import lies_in
 from ecm_extract.infer.run import Frame
 
 if TYPE_CHECKING:
@@ -41,6 +42,7 @@ class Calling:
         state = self.giving.used(state) if waits or own else state
         state = self._methods(at, [] if waits else own, env, state)
         state = self._inner(at, calls, env, state)
+        state = self._unfollowed(calls, env, state)
         if waits:
             state = self._anything(self.memory.lost(state, self._followed(state)))
         state = state.having(self.frame.judge.lasting.changed(env, state))
@@ -78,10 +80,13 @@ class Calling:
 
     def _leaves_own(self, method: Func) -> bool:
         """Whether a method changes no member of its object, and calls no other one that might."""
-        own = self.frame.judge.is_own
-        asked = any(own(call, method, at) for at, group in enumerate(method.calls) for call in group)
         members = any(key.startswith(".") for key in self.frame.judge.outline(method).changes)
-        return "const" in method.fact.traits or not (asked or members)
+        return "const" in method.fact.traits or not (self._calls_tree(method) or members)
+
+    def _calls_tree(self, func: Func) -> bool:
+        """Whether a function may call functions of the tree, and so methods of the object at hand."""
+        own = self.frame.judge.is_own
+        return any(own(call, func, at) for at, group in enumerate(func.calls) for call in group)
 
     def before_rounds(self, block: Block, state: State) -> tuple[State, set[str]]:
         """Return the state before any round of a loop, and what methods that it calls change of objects."""
@@ -90,7 +95,7 @@ class Calling:
             env = self.frame.env.within(state, at)
             for call in self.frame.judge.own_calls(env):
                 key = self._object(call, env)
-                members = self.frame.judge.members_changed(call, env) if key is not None and self.frame.whole else None
+                members = self.frame.judge.methods.changed(call, env) if key is not None and self.frame.whole else None
                 if members is not None:
                     changed.update(members)
                 elif key:
@@ -100,7 +105,7 @@ class Calling:
         return state, changed
 
     def _object(self, call: Call, env: Env) -> str | None:
-        return self.frame.judge.called_on(call, env) if self.frame.whole else self._at_hand(call, env)
+        return self.frame.judge.methods.called_on(call, env) if self.frame.whole else self._at_hand(call, env)
 
     def _inner(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
         """The state after functions that are declared within the one at hand and change its variables."""
@@ -116,24 +121,40 @@ class Calling:
                 state = state.having({key: (held,)}) if self.frame.python else self.memory.in_place(key, held, state)
         return state
 
+    def _unfollowed(self, calls: Sequence[Call], env: Env, state: State) -> State:
+        """The state after functions that are declared here, and change members by themselves or by methods."""
+        outline = self.frame.outline
+        for func in (func for call in calls for func in outline.run_by(call)):
+            changed = {key for key in outline.changed_inside(func) if self.memory.is_open(key)}
+            by_others = func.calls and not changed and not self.frame.judge.methods.leaves_own(func, env)
+            state = self._anything(state) if by_others else self.memory.lost(state, changed)
+        return state
+
     def _at_hand(self, call: Call, env: Env) -> str | None:
         return "" if self.frame.judge.reaches_object(call, env) else None
 
     def _on_object(self, key: str, calls: Sequence[Call], at: int, env: Env, state: State) -> State:
         """The state after calls on one object, by its key; the object at hand has none."""
-        known = [self.frame.judge.members_changed(call, env) if self.frame.whole else None for call in calls]
+        known = [self.frame.judge.methods.changed(call, env) if self.frame.whole else None for call in calls]
         changing = [(call, members) for call, members in zip(calls, known, strict=True) if members != {}]
         if len(changing) > 1 or None in known:
             return self.memory.lost(state, self.memory.names(key, state)) if key else self._anything(state)
         if not key:
             self.memory.show([member for member in state.holds if member.startswith(".")], state)
         for call, members in changing:
-            found = {
-                member: self._after(member, name, call, at, env, state) for member, name in (members or {}).items()
-            }
+            all_changed = self._with_fields(members or {}, state)
+            found = {member: self._after(member, name, call, at, env, state) for member, name in all_changed.items()}
             for member, held in found.items():
                 state = self.memory.in_part(member, held, state)
         return state
+
+    def _with_fields(self, members: Mapping[str, str], state: State) -> Mapping[str, str]:
+        """What a method changes, with all that is known of the fields of it, each with its name in the method."""
+        found = dict(members)
+        for key in [key for key in state.holds if lies_in(key, members)]:
+            whole = max((member for member in members if key.startswith(f"{member}.")), key=len)
+            found.setdefault(key, members[whole] + key.removeprefix(whole))
+        return found
 
     def _followed(self, state: State) -> list[str]:
         """The objects that the function made and called methods of."""

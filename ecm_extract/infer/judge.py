@@ -47,6 +47,19 @@ class Lent(Lending, Protocol):
         """Return what such calls of a statement leave these variables with, by key."""
 
 
+class Methods(Protocol):
+    """Who knows what methods change of the objects that they are called on."""
+
+    def called_on(self, call: Call, env: Env) -> str | None:
+        """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
+
+    def changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
+        """Return the members that a call of a method may change, each with its key there; None if that is unknown."""
+
+    def leaves_own(self, func: Func, env: Env) -> bool:
+        """Tell whether a function that is declared in another one changes no member of the object of that."""
+
+
 class Judge(Targets, Protocol):
     """Who evaluates expressions for a run."""
 
@@ -57,6 +70,10 @@ class Judge(Targets, Protocol):
     @property
     def lent(self) -> Lent:
         """Who follows what functions change which are handed to the one at hand."""
+
+    @property
+    def methods(self) -> Methods:
+        """Who knows what methods change."""
 
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
@@ -78,12 +95,6 @@ class Judge(Targets, Protocol):
 
     def reaches_object(self, call: Call, env: Env) -> bool:
         """Tell whether a call of a function of the tree may run a method of the object at hand."""
-
-    def called_on(self, call: Call, env: Env) -> str | None:
-        """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
-
-    def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
-        """Return the members that a call of a method may change, each with its key there; None if that is unknown."""
 
     def assigns_own_way(self, target: Expr | None, env: Env) -> bool:
         """Tell whether the class of an object of C++ says what an assignment to it does."""

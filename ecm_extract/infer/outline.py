@@ -14,6 +14,7 @@ from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
 from ecm_extract.infer.inner import function_named, only_called
+from ecm_extract.infer.other_names import changed_by_other_names
 from ecm_extract.infer.places import caught_names, own_names, target_of
 from ecm_extract.infer.raising import may_raise
 from ecm_extract.infer.raising_calls import unpacks
@@ -54,22 +55,13 @@ class Outline:
     def changes(self) -> Mapping[str, int]:
         """Variable -> how many times the body changes it."""
         changed = Counter(key for keys in self._changed for key in keys) + Counter(self.escaped)
-        changed += Counter(set(self._by_other_names()))
+        changed += Counter(self.by_other_names)
         return changed + Counter(caught_names(self.block)) if self.python else changed
 
-    def _by_other_names(self) -> Iterator[str]:
-        """Yield the members that the body may change by a variable that it has them in: `auto & p = p_; p.x = 1;`."""
-        kinds = {"let", "set"} if self.python else {"let"}
-        bindings = (entry for entry in self.func.fact.body if entry.kind in kinds)
-        members = {self.effects.key(each.target): self.effects.root(each.value) for each in bindings}
-        named = {name: member for name, member in members.items() if name and "." not in name and member[:1] == "."}
-        for at, entry in enumerate(self.func.fact.body if named else ()):
-            binds = entry.kind == "let" or (self.python and entry.kind != "do")
-            bound = set(self.bound_keys(target_of(entry))) & named.keys() if binds else set()
-            for key in self._changed[at] - bound:
-                first, dot, rest = key.partition(".")
-                if first in named:
-                    yield f"{named[first]}{dot}{rest}"
+    @cached_property
+    def by_other_names(self) -> Set[str]:
+        """The members that the body may change by a variable that it has them in (`other_names`)."""
+        return changed_by_other_names(self)
 
     @cached_property
     def given(self) -> Set[str]:
@@ -262,6 +254,17 @@ class Outline:
             keys for func, keys in self.captured.items() if call.callee == Name(func.fact.name) or _is_given(call, func)
         )
         return frozenset().union(*found)
+
+    def run_by(self, call: Call) -> Iterator[Func]:
+        """Yield the functions declared here that a call runs, or that it hands to a function of the tree."""
+        for func in self.inner:
+            given = _is_given(call, func) and self.effects.targets.target(call, self.func, len(self.func.fact.body))
+            if call.callee == Name(func.fact.name) or given:
+                yield func
+
+    def changed_inside(self, func: Func) -> Set[str]:
+        """Return the variables of this function, and members, that one declared in it changes."""
+        return frozenset(self._changed_inside(func))
 
     def bound_keys(self, target: Expr | None) -> Iterator[str]:
         """Yield the variables that an assignment to a target changes."""

@@ -108,6 +108,20 @@ def lies_in(key: str, wholes: Container[str]) -> bool:
     return False
 
 
+def owners(key: str) -> list[str]:
+    """Return the members of the object at hand that a field lies in, by key; none for a member itself."""
+    parts = key.split(".")
+    return [".".join(parts[:count]) for count in range(2, len(parts)) if not parts[0]]
+
+
+def as_own(key: str) -> Expr:
+    """Return a member of the object at hand, or a field of one, as it is written: `this->a.b`."""
+    whole: Expr = THIS
+    for name in key.split(".")[1:]:
+        whole = Member(whole, name)
+    return whole
+
+
 def as_written(key: str) -> Expr:
     """Return a variable of the object, or one outside of functions, as a function of its own names writes it."""
     return Member(THIS, key[1:]) if key.startswith(".") else Name(key)

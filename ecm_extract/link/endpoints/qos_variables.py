@@ -113,7 +113,7 @@ class QosVariables:
         """What a field holds, by its policy: one that is left alone is as the whole profile has it."""
         if held.how == "given":
             return {field: whole[field]} if field in whole else {}
-        left = self.folder.held.left(held, held.env) if held.how == "after" and held.env is not None else None
+        left = self.folder.behind_calls.left(held, held.env) if held.how == "after" and held.env is not None else None
         if left is not None:
             ways = self.folder.flow.decisions.ways(tuple(left[0]), likely=True)
             return agreed([self._of_part(field, each, whole) for each in ways])
@@ -144,7 +144,7 @@ class QosVariables:
         if held.how in {"looped", "handed", "entered"}:
             return self._any_of(held.before, inner, level)
         if held.how == "after":
-            left = self.folder.held.left(held, inner)
+            left = self.folder.behind_calls.left(held, inner)
             return self._any_of(left[0], left[1].deeper(env.depth + 1), level + 1) if left is not None else None
         if held.how == "out":
             return self._handed_out(held, inner, level)
@@ -157,7 +157,7 @@ class QosVariables:
 
     def _handed_out(self, held: Held, env: Env, level: int) -> Policies:
         """What a function makes of a profile that it is handed, as a whole or field by field."""
-        left = self.folder.held.out(held, env)
+        left = self.folder.behind_calls.out(held, env)
         run = self.folder.flow.run(left[1]) if left is not None else None
         if left is None or run is None or run.end is None:
             return dict(UNSEEN)

@@ -25,6 +25,7 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
+from ecm_extract.link.folding.behind_calls import BehindCalls
 from ecm_extract.link.folding.class_names import ClassNames
 from ecm_extract.link.folding.comprehended import Comprehended
 from ecm_extract.link.folding.data_classes import DataClasses
@@ -45,6 +46,7 @@ from ecm_extract.link.folding.iterators import Iterators
 from ecm_extract.link.folding.kept_objects import KeptObjects
 from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.list_defaults import ListDefaults
+from ecm_extract.link.folding.member_fields import MemberFields
 from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.module_objects import ModuleObjects
 from ecm_extract.link.folding.optionals import OptionalFolder
@@ -56,7 +58,6 @@ from ecm_extract.link.folding.spreading import Spreading
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.folding.typed_numbers import TypedNumbers
-from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
@@ -153,6 +154,8 @@ class Folder:
 
     def _begin_classes(self) -> None:
         """Make those who know what Python makes of classes, and what objects give when they are asked."""
+        self.behind_calls = BehindCalls(self)
+        self.member_fields = MemberFields(self)
         self.redefined = Redefined(self)
         self.class_names = ClassNames(self)
         self.enums = EnumFolder(self)
@@ -163,7 +166,7 @@ class Folder:
 
     def _begin_runs(self) -> None:
         """Make those who know what runs of functions leave variables with."""
-        self.nesting = Nesting(self.program)
+        self.nesting = self.scope.nesting
         self.flow = Flow(self)
         self.unset = UnsetVariables(self)
         self.states = ObjectStates(self)

@@ -15,10 +15,8 @@ from ecm_extract.link.code.named_alike import is_name_of_node
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.declared_numbers import as_declared
-from ecm_extract.link.folding.fields_left import field_left
 from ecm_extract.link.folding.fold_changes import STREAMS, ChangeFolder
-from ecm_extract.link.running.arguments import bind
-from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
 from ecm_extract.link.running.own_names import node_name
 from ecm_extract.link.running.values import (
     Value,
@@ -178,26 +176,8 @@ class HeldFolder:
 
     def _after(self, held: Held, env: Env) -> tuple[Value, ...]:
         """A member after a method that may have changed it."""
-        found = self.left(held, env)
+        found = self.folder.behind_calls.left(held, env)
         return (unknown(_label(held.name)),) if found is None else self.of([found[0]], found[1].deeper(env.depth + 1))
-
-    def left(self, held: Held, env: Env) -> tuple[tuple[Held, ...], Env] | None:
-        """Return what a called method leaves a member with, and the place to evaluate it at."""
-        if not isinstance(held.expr, Call):
-            return None
-        if self.folder.lasting.named(held.name, env.func) is not None:
-            return self.folder.lasting_states.left(held, env)
-        lent = self.folder.lent.left(held, env)
-        if lent is not None:
-            return lent
-        inner = self.folder.methods.begun(invocation_of(held.expr, env), env)
-        run = self.folder.flow.run(inner) if inner is not None else None
-        if inner is None or run is None or run.end is None:
-            return None
-        ways = self.folder.flow.left(run, held.name)
-        if ways:
-            return ways, inner
-        return (held.before, env) if not run.end.called else ((Held("shared", held.name),), inner)
 
     def _before(self, held: Held, env: Env) -> tuple[Value, ...]:
         return self.of([held.before or (Held("given", held.name),)], env)
@@ -242,31 +222,10 @@ class HeldFolder:
         made = any(before.how == "made" for before in all_ways(held.before))
         return (unknown(_label(held.name)),) if made else lowered(values, "one_of")
 
-    # --- functions that write to what they get ---------------------------------------------------------------
-
-    def out(self, held: Held, env: Env) -> tuple[tuple[Held, ...], Env] | None:
-        """Return what a parameter of a called function holds when it returns, with the place to evaluate it at."""
-        call = held.expr
-        if not isinstance(call, Call):
-            return None
-        invocation = invocation_of(call, env)
-        callee = self.folder.returns.meant(invocation, env)
-        if callee is None or held.name.partition(".")[0] in self.folder.flow.outline(callee).rebound:
-            return None
-        inner = self.folder.returns.entered(callee, invocation, bind(callee, invocation, env), env)
-        run = self.folder.flow.run(inner)
-        if run is None or run.end is None:
-            return None
-        ways = self.folder.flow.left(run, held.name) or (Held("given", held.name),)
-        if "." not in held.name:
-            return ways, inner
-        left = field_left(held, ways, run, env, self.folder.flow)
-        return (left, inner) if left is not None else None
-
     def _written(self, held: Held, env: Env) -> tuple[Value, ...]:
         if env.func.file.language == "python":  # where a function cannot give the variables of its caller other texts
             return self._before(held, env)
-        found = self.out(held, env)
+        found = self.folder.behind_calls.out(held, env)
         if found is None:
             return (unknown(_label(held.name)),)
         ways, inner = found
@@ -299,10 +258,10 @@ class HeldFolder:
         if held.how in {"given", "shared"}:
             return self._items_at_first(held, env) if not held.before else None
         if held.how == "out":
-            found = self.out(held, inner)
+            found = self.folder.behind_calls.out(held, inner)
             return self.items_of([found[0]], found[1].deeper(env.depth + 1)) if found is not None else None
         if held.how == "after":
-            found = self.left(held, inner)
+            found = self.folder.behind_calls.left(held, inner)
             return self.items_of([found[0]], found[1].deeper(env.depth + 1)) if found is not None else None
         if held.how == "entered":
             return self.items_of([held.before], inner)

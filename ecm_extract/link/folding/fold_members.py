@@ -70,8 +70,7 @@ class MemberFolder:
             if first:
                 return first
             cls = env.this or env.func.cls
-            found = self.member_value(expr.name, cls, env) if cls is not None else ()
-            return found or (unknown(expr.name),)
+            return (self.member_value(expr.name, cls, env) if cls is not None else ()) or (unknown(expr.name),)
         handed = handed_field(expr, env, self.folder)
         if handed:
             return handed
@@ -87,6 +86,7 @@ class MemberFolder:
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
         known = found or part or self._field(expr, env) or self._option(expr, env)
+        known = self.folder.member_fields.beside(known, expr, env)
         told = any(value.confidence != "pattern" for value in known)
         if told and (self._is_of_changed_variable(expr, env) or self._is_of_lost(expr.base, env)):
             return alternatives((*known, unknown(expr.name)))

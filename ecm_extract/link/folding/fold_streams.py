@@ -123,7 +123,7 @@ class StreamFolder:
             bound = env.args.get(held.name)
             return self._left(bound.expr, bound.env) if bound is not None else None
         if held.how == "out":
-            found = self.folder.held.out(held, inner)
+            found = self.folder.behind_calls.out(held, inner)
             return self._all(found[0], found[1]) if found is not None else None
         if held.how == "changed" and _method(held.expr) in _KEEPING:
             return self._all(held.before, inner)

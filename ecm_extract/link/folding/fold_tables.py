@@ -216,11 +216,11 @@ class TableFolder:
         if held.how in {"given", "shared"}:
             return self._entries_at_first(held, env)
         if held.how == "out":
-            found = self.folder.held.out(held, inner)
+            found = self.folder.behind_calls.out(held, inner)
             single = found is not None and len(found[0]) == 1
             return self.held_entries(found[0][0], found[1].deeper(env.depth + 1)) if found and single else None
         if held.how == "after":
-            left = self.folder.held.left(held, inner)
+            left = self.folder.behind_calls.left(held, inner)
             single = left is not None and len(left[0]) == 1
             return self.held_entries(left[0][0], left[1].deeper(env.depth + 1)) if left and single else None
         ways = self.folder.flow.decisions.ways(held.before)

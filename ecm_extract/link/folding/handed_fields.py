@@ -29,7 +29,7 @@ def _left(held: Held, expr: Member, env: Env, folder: Folder) -> tuple[Value, ..
     if held.how != "out" or held.env is None:
         return (unknown(expr.name),)
     before = (Held("value", expr.name, expr, held.env),)
-    left = folder.held.out(
+    left = folder.behind_calls.out(
         Held("out", f"{held.name}.{expr.name}", held.expr, held.env, held.at, before=before), held.env
     )
     if left is None:

@@ -143,7 +143,7 @@ class Handles:
         made = self.folder.makers.of(expr.base, env)
         cls = made.cls if made is not None else self.folder.objects.class_of(expr.base, env)
         if cls is None:
-            return self._declared(expr, env)
+            return self._declared(expr, env, depth)
         made = made or self.sole.of(cls)
         place = Env(env.func, env.at, this=cls, made=made, depth=env.depth + 1)
         return self._variable(Member(THIS, expr.name), place, depth)
@@ -153,7 +153,9 @@ class Handles:
         makers = self.folder.origins.makers(expr, env)
         if makers is None:
             return None
-        return _agreed([self._given(expr, each, depth) for each in makers]) if makers else self._declared(expr, env)
+        if not makers:
+            return self._declared(expr, env, depth)
+        return _agreed([self._given(expr, each, depth) for each in makers])
 
     def _given(self, expr: Name | Member, made: Bound, depth: int) -> Handle | None:
         """`nh_("~x")` and `nh_(parent, "x")` in an initialiser list make a handle without naming it."""
@@ -167,12 +169,12 @@ class Handles:
             return self._known(value, env, depth + 1)
         return self._node_handle(_initialised_with(expr, value), env, depth)
 
-    def _declared(self, expr: Name | Member, env: Env) -> Handle | None:
+    def _declared(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
         """A parameter is its default; a handle that is held and never made otherwise is the node's, as is no handle."""
         if isinstance(expr, Name):
             for parameter in env.func.fact.params:
                 if parameter.name == expr.id and parameter.default is not None:
-                    return self._known(parameter.default, Env(env.func, 0), 1)
+                    return self._known(parameter.default, Env(env.func, 0), depth + 1)
                 if parameter.name == expr.id and self._is_handle(parameter.type, env):
                     return self._handed(expr.id, env)
         written = self.folder.objects.type_of(expr, env)

@@ -22,7 +22,7 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.bounds import MAX_FRAMES, MAX_RECURSION, MAX_RUNNING, MAX_RUNS, MAX_WITHIN
 from ecm_extract.link.running.decisions import Decisions
-from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env
 from ecm_extract.link.running.exceptions import Exceptions
 from ecm_extract.link.running.own_calls import OwnCalls
 from ecm_extract.link.running.parameter_reads import read_into
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
     from ecm_extract.link.running.lasting_states import LastingStates
     from ecm_extract.link.running.lent import Lent
+    from ecm_extract.link.running.method_effects import MethodEffects
 
 
 class Flow:
@@ -62,6 +63,11 @@ class Flow:
     def lent(self) -> Lent:
         """Who follows what functions change which are handed to others."""
         return self.folder.lent
+
+    @property
+    def methods(self) -> MethodEffects:
+        """Who knows what methods change."""
+        return self.folder.methods
 
     @property
     def running(self) -> Collection[Func]:
@@ -309,14 +315,6 @@ class Flow:
     def hands_on(self, call: Call, env: Env) -> bool:
         """Tell whether a call gives others the object at hand, or a function that may use it."""
         return self._own.hands_on(call, env)
-
-    def called_on(self, call: Call, env: Env) -> str | None:
-        """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
-        return "" if self.reaches_object(call, env) else self.folder.methods.holder(invocation_of(call, env), env)
-
-    def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
-        """Return the members that a call of a method may change; None where that is not known."""
-        return self.folder.methods.changed(call, env)
 
     def assigns_own_way(self, target: Expr | None, env: Env) -> bool:
         """Tell whether the class of an object of C++ says what an assignment to it does."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Items, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name
 
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name, plain, pointee
@@ -29,7 +29,7 @@ class GivenFields:
         self.folder = folder
         self._known: dict[tuple[str, Cls], bool] = {}
         self._read: dict[tuple[str, Cls], tuple[Value, ...]] = {}
-        self._written: dict[str, frozenset[str]] = {}
+        self._written: dict[tuple[str, str], frozenset[str]] = {}
 
     def is_given(self, name: str, cls: Cls) -> bool:
         """Tell whether a field of some object of a class may not be what the class declares it with."""
@@ -121,16 +121,17 @@ class GivenFields:
         of = self.folder.objects.type_of(value.callee.base, Env(entry.func, entry.at))
         return last_name(plain(pointee(of))) == "Parameter" and all(each.confidence == "pattern" for each in values)
 
-    def is_reached_into(self, path: str) -> bool:
+    def is_reached_into(self, path: str, language: str = "cpp") -> bool:
         """Tell whether somebody assigns `object.member.field`, of whatever object; `path` is `.member.field`."""
-        return any(name.endswith(path) for name in self._assigned_as(last_name(path)))
+        return any(name.endswith(path) for name in self._assigned_as(last_name(path), language))
 
-    def _assigned_as(self, name: str) -> frozenset[str]:
-        """How fields of one name are written where they are assigned."""
-        known = self._written.get(name)
+    def _assigned_as(self, name: str, language: str) -> frozenset[str]:
+        """How fields of one name are written where they are assigned, other than on the object at hand."""
+        known = self._written.get((name, language))
         if known is None:
-            targets = (entry.statement.target for entry in self.folder.scope.assigned_outside(name, "cpp"))
-            known = self._written[name] = frozenset(dotted_name(each) for each in targets if each is not None)
+            targets = (entry.statement.target for entry in self.folder.scope.assigned_outside(name, language))
+            known = frozenset(dotted_name(each) for each in targets if each is not None and not _is_own(each))
+            self._written[name, language] = known
         return known
 
     def _is_of(self, entry: Definition, cls: Cls) -> bool:
@@ -157,3 +158,10 @@ class GivenFields:
                     if name in self.folder.program.classes:
                         found[name] = max(count, found.get(name, 0))
         return found
+
+
+def _is_own(expr: Expr) -> bool:
+    """Tell whether something is a part of the object at hand."""
+    while isinstance(expr, Member):
+        expr = expr.base
+    return expr == THIS

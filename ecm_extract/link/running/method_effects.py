@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Iterator, Mapping, Set
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import THIS, Call
+from ecm_parsers.source.expr import THIS, Call, Member
 
 from ecm_extract.infer.effects import calls_of
+from ecm_extract.infer.places import ALL_FIELDS
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.arguments import bind
@@ -27,6 +28,11 @@ class MethodEffects:
         self._known: dict[tuple[Func, Cls | None], Set[str] | None] = {}
         self._depending: dict[tuple[Func, Cls | None], bool] = {}
         self._calling: dict[Func, bool] = {}
+        self._through: dict[Func, Set[str]] = {}
+
+    def called_on(self, call: Call, env: Env) -> str | None:
+        """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
+        return "" if self.folder.flow.reaches_object(call, env) else self.holder(invocation_of(call, env), env)
 
     def changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
         """Return the members that a call of a method may change; None where that is not known.
@@ -127,6 +133,10 @@ class MethodEffects:
         """Tell whether a method changes no member of its object, through none of the methods that it calls either."""
         return self._members(func, this) == frozenset()
 
+    def leaves_own(self, func: Func, env: Env) -> bool:
+        """Tell whether a function that is declared in another one changes no member of the object of that."""
+        return self._members(func, env.this or env.func.cls) == frozenset()
+
     def depends(self, func: Func, this: Cls | None) -> bool:
         """Tell whether what a method does depends on when it is called: on members that are given several things."""
         asked = (func, this)
@@ -145,12 +155,41 @@ class MethodEffects:
         while pending:
             current = pending.pop()
             found |= {key for key in self.folder.flow.outline(current).changes if key.startswith(".")}
+            found |= self.changed_through(current)
+            if f".{ALL_FIELDS}" in found:
+                return None
             called = self._called(current, this)
             if called is None:
                 return None
             pending += called - seen
             seen |= called
         return found
+
+    def changed_through(self, func: Func) -> Set[str]:
+        """Return the members, or fields of them, that methods may change which a function calls on members."""
+        known = self._through.get(func)
+        if known is None:
+            self._through[func] = frozenset()  # who asks in a circle
+            known = self._through[func] = frozenset(self._by_methods_of_members(func))
+        return known
+
+    def _by_methods_of_members(self, func: Func) -> Iterator[str]:
+        effects = self.folder.flow.effects(func)
+        for at, calls in enumerate(func.calls):
+            for call in calls:
+                callee = call.callee
+                key = effects.root(callee.base) if isinstance(callee, Member) else ""
+                if key[:1] == "." and len(key) > 1 and self.folder.flow.is_own(call, func, at):
+                    yield from self._changed_of(key, invocation_of(call, Env(func, at)), Env(func, at))
+
+    def _changed_of(self, key: str, call: Invocation, place: Env) -> Iterator[str]:
+        """The fields of a member that a method of its class may change; the member where that is not known."""
+        callee = self._meant(call, place)
+        members = self._members(callee, None) if callee is not None else None
+        if members is None:
+            yield key
+            return
+        yield from (key + member for member in members)
 
     def _called(self, func: Func, this: Cls | None) -> set[Func] | None:
         """The methods that a method calls on its object; None where somebody else may change that meanwhile."""

@@ -122,8 +122,8 @@ class Origins:
         if held.how in {"given", "shared"}:
             entered = self.folder.states.entered(held.name, env) if held.how == "given" else None
             return [(entered, env)] if entered is not None else self._around(held.name, env) or None
-        left = self.folder.held.left(held, env) if held.how == "after" else None
-        left = self.folder.held.out(held, env) if held.how == "out" else left
+        left = self.folder.behind_calls.left(held, env) if held.how == "after" else None
+        left = self.folder.behind_calls.out(held, env) if held.how == "out" else left
         return [(each, left[1]) for each in left[0]] if left is not None else None
 
     def _around(self, key: str, env: Env) -> list[tuple[Held, Env]]:

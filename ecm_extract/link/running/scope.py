@@ -17,6 +17,7 @@ from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions, names_in
+from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.base_types import BaseTypes
 from ecm_extract.link.running.env import Env
@@ -44,6 +45,7 @@ class Scope:
 
     def __init__(self, program: Program) -> None:
         self.program = program
+        self.nesting = Nesting(program)
         self.base_types = BaseTypes(program)
         self.ways: Callable[[Expr, Env], Sequence[Sequence[Held]]] = _nothing
         self._locals: dict[Func, dict[str, list[int]]] = {}
@@ -134,12 +136,13 @@ class Scope:
         return next((entry for entry in self.program.ancestry(cls) if name in entry.fields), None)
 
     def changing(self, name: str, cls: Cls) -> list[Func]:
-        """Return the methods of a class that may give a data member something else, by an assignment or a call."""
+        """Return the methods of a class that may give a data member something else: they, or functions within them."""
         known = self._changing.get(cls)
         if known is None:
             known = self._changing[cls] = defaultdict(list)
             for method in cls.methods:
-                for target in _touched(method):
+                within = (method, *self.nesting.inner(method))
+                for target in sorted({target for func in within for target in _touched(func)}):
                     known[target].append(method)
         return known.get(name, [])
 

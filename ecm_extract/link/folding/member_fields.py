@@ -1,0 +1,78 @@
+"""Fields of members that a function finds as others left them: `params_.topic` in a callback."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Final
+
+from ecm_parsers.source.expr import Member
+
+from ecm_extract.infer.held import Held
+from ecm_extract.infer.places import as_own, owners
+from ecm_extract.infer.run import Run
+from ecm_extract.link.code.units import Cls
+from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.values import Value, alternatives, unknown
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+_ALONE: Final = frozenset({"given", "shared"})
+"""Ways to hold what a method has not given anything."""
+_MADE: Final = _ALONE | {"value", "made"}
+"""Ways to hold an object that is as it was made."""
+
+
+class MemberFields:
+    """Evaluates fields at the end of the methods that change them, or the members that they lie in."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def beside(self, known: tuple[Value, ...], expr: Member, env: Env) -> tuple[Value, ...]:
+        """Return what a field is by all methods, or `known`, which is told of how its object is made.
+
+        Where it is not seen what a method of Python makes of the field, what is known of it is not all.
+        """
+        key, cls = self.folder.flow.effects(env.func).key(expr), env.this or env.func.cls
+        if cls is None or not owners(key) or self._is_left_to_others(key, env) or not self._is_changed(key, cls, env):
+            return known
+        left = self._left(key, cls, env)
+        if left and all(map(_is_told, left)):
+            return left
+        more = env.func.file.language == "python" and any(map(_is_told, known))
+        return alternatives((*known, unknown(expr.name))) if more else known
+
+    def _is_left_to_others(self, key: str, env: Env) -> bool:
+        """Whether a method finds the member new, or others than its methods change the field."""
+        new = self.folder.names.is_fresh(env) and self.folder.first_methods.finds_new(env.func, key.split(".")[1])
+        return new or self.folder.given_fields.is_reached_into(key, env.func.file.language)
+
+    def _left(self, key: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        asked = ("left", key, cls, env.made, env.func)
+        name = key.rpartition(".")[2]
+        return self.folder.guarded(asked, name, lambda: alternatives(list(self._at_ends(key, cls, env))))
+
+    def _at_ends(self, key: str, cls: Cls, env: Env) -> Iterator[Value]:
+        for run, place in self._ends(key, cls, env):
+            if run is None or run.end is None:
+                yield unknown(key.rpartition(".")[2])
+            elif not all(held.how in _ALONE for held in self._helds(key, run)):
+                end = place.within(run.end, len(place.func.fact.body))
+                yield from self.folder.fold(as_own(key), end)
+
+    def _is_changed(self, key: str, cls: Cls, env: Env) -> bool:
+        """Whether a method gives the field something, or does something to its object other than to make it."""
+        runs = [run for run, _ in self._ends(key, cls, env) if run is not None]
+        return any(held.how not in _MADE or held.name == key for run in runs for held in self._helds(key, run))
+
+    def _ends(self, key: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
+        return self.folder.members.ends(key.split(".")[1], cls, env)
+
+    def _helds(self, key: str, run: Run) -> list[Held]:
+        """What a method leaves the field, and the members that it lies in, with."""
+        return [held for each in (key, *owners(key)) for held in self.folder.flow.left(run, each)]
+
+
+def _is_told(value: Value) -> bool:
+    return value.confidence != "pattern"
