@@ -29,7 +29,7 @@ def grouped_uses(uses: Iterable[Use]) -> list[tuple[Located, list[Use]]]:
     """Return changes with the lines that each breaks, in the order of the lines."""
     grouped: dict[object, list[Use]] = defaultdict(list)
     for use in uses:
-        grouped[use.located.key].append(use)
+        grouped[use.located.change].append(use)
     return [(readers[0].located, readers) for readers in grouped.values()]
 
 
