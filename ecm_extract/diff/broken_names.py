@@ -16,6 +16,7 @@ from ecm_checker.match.names import called_names
 from ecm_checker.match.provisions import Provisions, Sought
 
 from ecm_extract.diff.brought import Brought
+from ecm_extract.diff.effects import alters_bytes
 from ecm_extract.diff.model import Located
 from ecm_extract.diff.wholes import wholes_of
 from ecm_extract.entities.side import Side
@@ -121,7 +122,7 @@ def _layouts(located: Iterable[Located]) -> dict[str, Located]:
         entity = entry.pair.old or entry.pair.new
         if entity is None or not entry.change.breaking:
             continue
-        if entity.row.layout:
+        if alters_bytes(entity):
             found.setdefault(entity.owner, entry)
         elif entity.row.generated and entry.change.change == "signature_changed":
             found.setdefault(entity.name, entry)
