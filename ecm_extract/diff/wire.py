@@ -51,7 +51,11 @@ def nested_changes(pairs: list[Pair], old: Side, new: Side) -> Iterator[tuple[Pa
 
     Pairs of other kinds, and of messages whose own fields changed, are passed over.
     """
-    ways = ways_to(_changed_types(old, new), old.interfaces)
+    same = SameBytes(old.interfaces, new.interfaces)
+    differing = {name for name in old.interfaces if name not in new.interfaces or _difference(name, old, new)}
+    alike = {name for name in differing if name in new.interfaces and _is_alike(name, old, new, same)}
+    known = {name: definition for name, definition in old.interfaces.items() if name not in alike}
+    ways = ways_to(differing - alike, known)
     for pair in pairs:
         if pair.old is None or pair.new is None or not pair.old.row.generated:
             continue
@@ -75,16 +79,6 @@ def own_changes(pairs: Iterable[Pair], told: Container[str], old: Side, new: Sid
         how = _difference(pair.old.name, old, new) if pair.old.name == pair.new.name else ""
         if how and not _is_alike(pair.old.name, old, new, same):
             yield pair, how
-
-
-def _changed_types(old: Side, new: Side) -> set[str]:
-    """Interfaces whose own text differs in what two sides compare, or that are gone."""
-    same = SameBytes(old.interfaces, new.interfaces)
-    return {
-        name
-        for name in old.interfaces
-        if name not in new.interfaces or (_difference(name, old, new) and not _is_alike(name, old, new, same))
-    }
 
 
 def _difference(name: str, old: Side, new: Side) -> str:

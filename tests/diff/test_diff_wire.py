@@ -132,3 +132,18 @@ def test_a_type_of_another_name_says_what_its_bytes_are(
     assert [words in each["reason"] for each in found if each["kind"] == "message_field" and each["old"] == "p"] == [
         True
     ]
+
+
+@pytest.mark.parametrize(
+    ("ros", "held", "told"),
+    [(1, "int32 x\n", False), (1, "int32 x\nint32 y\n", True), (2, "int32 x\n", True)],
+)
+def test_who_holds_what_holds_a_type_of_another_name(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], ros: int, held: str, told: bool
+) -> None:
+    """ROS 2 compares the names of types as well; in ROS 1 only the message whose own text names it has changed."""
+    old = {"part": "int32 x\n", "A": "part p\n", "B": "A a\n"}
+    found = _document(capsys, tmp_path, ros, old, {"Part": held, "A": "Part p\n", "B": "A a\n"})
+    assert {each["old"] for each in found["changes"] if each["change"] == "signature_changed"} == (
+        {"arm/msg/B"} if told else set()
+    )
