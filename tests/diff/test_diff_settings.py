@@ -80,3 +80,12 @@ def test_settings_that_come_and_go(changes, new: dict[str, str | None], expected
     rules = CMAKE % "install(DIRECTORY config DESTINATION share/arm)\n"
     found = changes({CONFIG: FILE % "10", "arm/CMakeLists.txt": rules}, new)
     assert sorted((entry[3:7] for entry in _told(found)), key=str) == sorted(expected, key=str)
+
+
+@pytest.mark.parametrize(("included", "told"), [("config/std.xml", 1), ("config/other.xml", 0)])
+def test_a_file_that_is_included_loads_as_well(changes, included: str, told: int) -> None:  # type: ignore[no-untyped-def]
+    """What is included is a launch file, whatever it is called and wherever it lies; another one is only a file."""
+    top = f'<launch><include file="$(find arm)/{included}"/></launch>\n'
+    old = {"arm/package.xml": ROS1, "arm/launch/a.launch": top, "arm/config/std.xml": LAUNCH1}
+    found = changes({**old, CONFIG: "rate: 10\n"}, {CONFIG: "rate: 20\n"})
+    assert [entry[3:7] for entry in _told(found)] == [("rate", "rate", "10", "20")] * told
