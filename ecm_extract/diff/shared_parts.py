@@ -23,8 +23,12 @@ class SharedParts:
         self._old, self._new = _parts(old), _parts(new)
 
     def may_be_one(self, old: Provision, new: Provision) -> bool:
-        """Whether one entity can be the other under another name; one that is empty tells nothing against it."""
-        if not old.row.generated:
+        """Whether one entity can be the other under another name; one that is empty tells nothing against it.
+
+        Where the words of one name are all in the other, as of `SickSetMap` and `SetMap`, the fields may be others.
+        """
+        names = words(last_part(old.name)), words(last_part(new.name))
+        if not old.row.generated or names[0] <= names[1] or names[1] <= names[0]:
             return True
         before, after = self._old.get(old.name, []), self._new.get(new.name, [])
         if not before or not after or [each.type for each in before] == [each.type for each in after]:
@@ -41,6 +45,8 @@ def _parts(entities: Iterable[Provision]) -> Parts:
 
 
 def _is_alike(old: Provision, new: Provision) -> bool:
-    """`segId` is `segment_id`: a word in common, or nearly all letters."""
+    """`segId` is `segment_id`, `posex` is `x`: a word or an end in common, or nearly all letters."""
     before, after = last_part(old.name), last_part(new.name)
+    if before.endswith(after) or after.endswith(before):
+        return True
     return bool(words(before) & words(after)) or name_similarity(before, after) >= _ALIKE
