@@ -29,7 +29,7 @@ def grouped_uses(uses: Iterable[Use]) -> list[tuple[Located, list[Use]]]:
     """Return changes with the lines that each breaks, in the order of the lines."""
     grouped: dict[object, list[Use]] = defaultdict(list)
     for use in uses:
-        grouped[use.located.key].append(use)
+        grouped[use.located.change].append(use)
     return [(readers[0].located, readers) for readers in grouped.values()]
 
 
@@ -54,7 +54,7 @@ def finding_of(located: Located, uses: Iterable[Use]) -> Finding:
         dimension="versioning",
         severity=_severity(change, readers, certainty),
         message=_message(change, readers),
-        resolution=_resolution(change),
+        resolution=_resolution(change, readers),
         subjects=_subjects(change, readers),
         evidence=_evidence(located, readers),
         fingerprint=fingerprint_of(change),
@@ -65,7 +65,7 @@ def finding_of(located: Located, uses: Iterable[Use]) -> Finding:
 
 
 def _severity(change: Change, readers: list[Use], certainty: Certainty) -> Severity:
-    if change.change == "deprecated" or _is_layout(change) or all(use.kept_for for use in readers):
+    if change.change == "deprecated" or _is_layout(change, readers) or all(use.kept_for for use in readers):
         return "info"
     if certainty != "proved" or all(use.remapped for use in readers) or change.confidence < 0.5:
         return "warning"
@@ -86,7 +86,7 @@ def _message(change: Change, readers: list[Use]) -> str:
         "renamed": f"is now {change.new}",
         "moved": f"is now {change.new}",
         "type_changed": f"has another type: {change.reason}",
-        "signature_changed": f"has another {'layout' if change.row.generated else 'signature'}: {change.reason}",
+        "signature_changed": f"has another {'definition' if change.row.generated else 'signature'}: {change.reason}",
     }.get(change.change, f"changed: {change.reason}")
     told = f"{kind} {change.old or change.new}{of} in {change.package} {happened}: {first}."
     if all(use.remapped for use in readers):
@@ -94,23 +94,26 @@ def _message(change: Change, readers: list[Use]) -> str:
     if all(use.kept_for for use in readers):
         kept = ", ".join(sorted({use.kept_for for use in readers}))
         return f"{told} The file is kept for {kept}, beside another one; right where the old release runs."
-    if _is_layout(change):
-        return f"{told} If it is not, the two sides refuse to connect or wait for ever."
+    if _is_layout(change, readers):
+        return f"{told} Unless both are built with it, the two sides refuse to connect or wait for ever."
     return f"{told} If ignored, {ignored}."
 
 
-def _is_layout(change: Change) -> bool:
-    """Whether only the bytes changed, so that a new build is all that it takes."""
+def _is_layout(change: Change, readers: list[Use]) -> bool:
+    """Whether only what both sides compare changed, so that a new build is all that it takes."""
     row = change.row
-    added = row.layout and change.change == "added"
-    return added or (row.generated and change.change == "signature_changed")
+    if change.change == "added":
+        return row.layout or row.fixed
+    if row.fixed and all("layout" in use.requirement.row.breaches for use in readers):
+        return True  # of those who have the type, nobody names the constant
+    return row.generated and change.change == "signature_changed"
 
 
-def _resolution(change: Change) -> str:
+def _resolution(change: Change, readers: list[Use]) -> str:
+    if _is_layout(change, readers):
+        return "build both sides with the new definition, and migrate recorded bags"
     if change.change in {"renamed", "moved"} and change.new:
         return f"write {change.new} instead of {change.old}"
-    if _is_layout(change):
-        return "build both sides with the new definition, and migrate recorded bags"
     if change.change in {"signature_changed", "type_changed"}:
         return f"follow the new form: {change.reason}"
     if change.change == "deprecated":

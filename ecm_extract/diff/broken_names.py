@@ -16,6 +16,7 @@ from ecm_checker.match.names import called_names
 from ecm_checker.match.provisions import Provisions, Sought
 
 from ecm_extract.diff.brought import Brought
+from ecm_extract.diff.effects import alters_bytes
 from ecm_extract.diff.model import Located
 from ecm_extract.diff.wholes import wholes_of
 from ecm_extract.entities.side import Side
@@ -40,7 +41,7 @@ class BrokenNames:
         self._located = tuple(located)
         self._changes: dict[Key, list[Located]] = defaultdict(list)
         changed: dict[Key, Provision] = {}
-        for entry in self._located:
+        for entry in (one for joined in self._located for one in joined.each):
             entity = entry.pair.old
             if entity is not None and _concerns(entry):
                 self._changes[entity.key].append(entry)
@@ -65,7 +66,8 @@ class BrokenNames:
     def sought(self) -> Iterator[Sought]:
         """Yield by what every requirement is found that a change may concern, and others as well."""
         yield from self._changed.sought()
-        yield from Provisions(new for each in self._located if (new := each.pair.new) and _is_looked_for(each)).sought()
+        asked = (one for joined in self._located if _is_looked_for(joined) for one in joined.each)
+        yield from Provisions(one.pair.new for one in asked if one.pair.new is not None).sought()
         generated = kinds_that(lambda row: row.generated)
         yield from (Sought(kind, name) for kind in generated for name in self._layouts)
 
@@ -120,7 +122,7 @@ def _layouts(located: Iterable[Located]) -> dict[str, Located]:
         entity = entry.pair.old or entry.pair.new
         if entity is None or not entry.change.breaking:
             continue
-        if entity.row.layout:
+        if alters_bytes(entity):
             found.setdefault(entity.owner, entry)
         elif entity.row.generated and entry.change.change == "signature_changed":
             found.setdefault(entity.name, entry)

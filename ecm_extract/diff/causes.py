@@ -20,7 +20,10 @@ Homes = dict[tuple[str, str, str], list[Provision]]
 
 
 def one_cause(found: Iterable[Located], new: Side) -> list[Located]:
-    """Join changes of one line that reach several modules; hint at the same name elsewhere in its owner."""
+    """Join what one line does to one name in several modules; hint at the same name elsewhere in its owner.
+
+    Names that a line makes beside each other, as in a loop, are several: who uses one does not use the next.
+    """
     homes: Homes = defaultdict(list)
     for entity in new.entities.values():
         if entity.is_of_module:
@@ -32,23 +35,25 @@ def one_cause(found: Iterable[Located], new: Side) -> list[Located]:
 
 
 def _cause(located: Located) -> object:
-    """What makes two changes one: kind, what happened, the end of the name, the lines."""
+    """What makes two changes one: kind, what happened, the names and values, the lines."""
     change = located.change
     if change.kind not in module_kinds() and not change.row.policy:
         return None
-    name = last_part(change.old or change.new or "")
-    lines = tuple((entity.path, entity.line) for entity in (located.pair.old, located.pair.new) if entity is not None)
-    return change.kind, change.change, name, lines
+    sides = [entity for entity in (located.pair.old, located.pair.new) if entity is not None]
+    what = (change.kind, change.change, change.breaking, change.old_value, change.new_value)
+    policy = (change.old, change.new) if change.row.policy else ()
+    return what, policy, tuple((entity.name, entity.path, entity.line) for entity in sides)
 
 
 def _joined(group: list[Located]) -> Located:
-    first = min(group, key=lambda entry: (_is_foreign(entry), entry.change.package, entry.change.owner))
+    first, *rest = sorted(group, key=lambda entry: (_is_foreign(entry), entry.change.package, entry.change.owner))
+    pairs = tuple(entry.pair for entry in rest)
     others = sorted({entry.change.owner for entry in group} - {first.change.owner})
     if not others:
-        return first
+        return Located(first.change, first.pair, pairs)
     listed = ", ".join(others[:_MAX_NAMED]) + (" and more" if len(others) > _MAX_NAMED else "")
     change = msgspec.structs.replace(first.change, reason=f"{first.change.reason} (also of {listed})")
-    return Located(change, first.pair)
+    return Located(change, first.pair, pairs)
 
 
 def _is_foreign(located: Located) -> bool:
@@ -66,7 +71,7 @@ def _hinted(located: Located, homes: Homes) -> Located:
     if found is None:
         return located
     reason = f"{change.reason}; {found.name} of {found.owner} remains"
-    return Located(msgspec.structs.replace(change, reason=reason), located.pair)
+    return msgspec.structs.replace(located, change=msgspec.structs.replace(change, reason=reason))
 
 
 def _is_beside(old: Provision, other: Provision) -> bool:

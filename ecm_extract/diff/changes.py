@@ -12,12 +12,12 @@ from ecm_checker.release import Change
 
 from ecm_extract.diff.causes import one_cause
 from ecm_extract.diff.duties import old_duties
-from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks, no_longer_set, set_now
+from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks, alters_bytes, no_longer_set, set_now
 from ecm_extract.diff.folding import folded
 from ecm_extract.diff.model import Located, Pair
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.wholes import wholes_of
-from ecm_extract.diff.wire import nested_changes, wire_note
+from ecm_extract.diff.wire import nested_changes, own_changes, wire_note
 from ecm_extract.entities.side import Side
 
 Names = set[tuple[str, str, str, str]]
@@ -31,6 +31,7 @@ def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
     duties = old_duties((pair.new for pair in listed if pair.new is not None and pair.old is None), old)
     found = [located for pair in listed for located in _of_pair(pair, gone, fresh, duties)]
     found += [_nested(pair, path) for pair, path in nested_changes(listed, old, new)]
+    found += [_otherwise(pair, how) for pair, how in own_changes(listed, _altered(found), old, new)]
     told = [_with_successor(_with_wire(located, old, new), new) for located in found]
     return sorted(folded(one_cause(told, new)), key=_order)
 
@@ -142,20 +143,32 @@ def _with_successor(located: Located, new: Side) -> Located:
 
 
 def _nested(pair: Pair, path: str) -> Located:
-    reason = f"its text is the same, the layout of {path} is not: rebuild both sides"
+    reason = f"its text is the same, that of {path} is not: rebuild both sides"
     return Located(_record(pair, Difference("signature_changed", True, reason, "signature")), pair)
+
+
+def _altered(found: Iterable[Located]) -> frozenset[str]:
+    """Interfaces of which a part is told whose change makes another type of them."""
+    entities = (each.pair.old or each.pair.new for each in found if each.change.breaking)
+    return frozenset(entity.owner for entity in entities if entity is not None and alters_bytes(entity))
+
+
+def _otherwise(pair: Pair, how: str) -> Located:
+    return Located(
+        _record(pair, Difference("signature_changed", True, f"{how}: rebuild both sides", "signature")), pair
+    )
 
 
 def _with_wire(located: Located, old: Side, new: Side) -> Located:
     """Add to a change of an interface what its users see at run time."""
     change, pair = located.change, located.pair
     row = change.row
-    concerned = row.layout if change.change in {"removed", "added"} else row.wire
-    if not concerned or (row.fixed and pair.old is not None and pair.old.ros == 2):
-        return located  # the hash of ROS 2 covers no constants
     entity = pair.old or pair.new
     after = pair.new or pair.old
     if entity is None or after is None or not change.breaking:
+        return located
+    alone = change.change in {"removed", "added"}
+    if not (alters_bytes(entity) if alone or row.fixed else row.wire):
         return located
     before_name = entity.owner if entity.row.part else entity.name
     after_name = after.owner if after.row.part else after.name

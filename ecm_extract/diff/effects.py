@@ -101,7 +101,8 @@ def default_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Diff
     what = "the value that the file sets" if old.row.sets else "default"
     reason = f"{what} {old.default!r} became {new.default!r}"
     if in_message:
-        reason = f"value {old.default!r} became {new.default!r}: both sides run, each means another thing"
+        run = "" if alters_bytes(old) else "both sides run, "
+        reason = f"value {old.default!r} became {new.default!r}: {run}each means another thing"
     values = str(old.default), str(new.default)
     yield Difference("default_changed", in_message, reason, dimension, old_value=values[0], new_value=values[1])
 
@@ -267,6 +268,8 @@ def added_breaks(entity: Provision) -> str | None:
     """Return why an addition breaks somebody; None when it does not."""
     if entity.row.layout:
         return "a new field changes the layout: old and new sides of this type do not talk, bags need migration"
+    if alters_bytes(entity):
+        return "a new constant changes the MD5 sum: old and new sides of this type do not talk, bags need migration"
     if entity.row.duty and entity.default is None:
         return "a new argument without a default: whoever starts or includes the file must give it"
     if entity.needed and not entity.when:
@@ -274,6 +277,11 @@ def added_breaks(entity: Provision) -> str | None:
     if any(form.pure for form in entity.forms):
         return "a new pure virtual method: classes that derive from it no longer build"
     return None
+
+
+def alters_bytes(entity: Provision) -> bool:
+    """Whether one more, less or otherwise makes another type of its owner: of ROS 1 a constant does, by its sum."""
+    return entity.row.layout or (entity.row.fixed and entity.ros == 1 and "/" in entity.owner)
 
 
 def _tail(name: str) -> str:

@@ -41,11 +41,15 @@ def cause_name(change: Change) -> str:
 def _with_cause(located: Located, causes: Causes) -> Located:
     if not located.change.breaking or located.change.change not in _GONE:
         return located
-    for key in _asked(located):
-        cause = causes.get(key)
-        if cause is not None and cause is not located.change:
-            return Located(msgspec.structs.replace(located.change, cause=cause_name(cause)), located.pair)
-    return located
+    found = [_cause(each, causes) for each in located.each]
+    if found[0] is None or None in found:
+        return located  # of one of its modules nothing else explains it
+    return msgspec.structs.replace(located, change=msgspec.structs.replace(located.change, cause=cause_name(found[0])))
+
+
+def _cause(located: Located, causes: Causes) -> Change | None:
+    known = (causes.get(key) for key in _asked(located))
+    return next((cause for cause in known if cause is not None and cause is not located.change), None)
 
 
 def _explained(located: Located) -> Iterator[tuple[str, ...]]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Literal
 
 import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
-from ecm_checker.hub.provision import Key, Provision
+from ecm_checker.hub.provision import Provision
 from ecm_checker.release import Change, CompatibilityClass
 from ecm_checker.versions import Bump
 
@@ -36,16 +36,26 @@ class Pair(msgspec.Struct, frozen=True):
 
 
 class Located(msgspec.Struct, frozen=True):
-    """A change with the entities that it is about, which consumers' uses are matched to."""
+    """A change with the entities that it is about, which consumers' uses are matched to.
+
+    `others` are those of other modules that have the very name by the very line, and that it stands for as well.
+    """
 
     change: Change
     pair: Pair
+    others: tuple[Pair, ...] = ()
 
     @property
-    def key(self) -> tuple[str, Key | None, Key | None]:
-        """What makes it one change: what happened, to what before, and to what after."""
-        old, new = self.pair.old, self.pair.new
-        return self.change.change, None if old is None else old.key, None if new is None else new.key
+    def each(self) -> Iterator[Located]:
+        """The change as one of each of its pairs."""
+        yield self
+        yield from (Located(self.change, pair) for pair in self.others)
+
+    @property
+    def packages(self) -> frozenset[str]:
+        """Packages that have what changed, besides the one that the change names."""
+        entities = (entity for pair in (self.pair, *self.others) for entity in (pair.old, pair.new))
+        return frozenset(entity.package for entity in entities if entity is not None) | {self.change.package}
 
 
 class RefInfo(msgspec.Struct, frozen=True):

@@ -72,6 +72,18 @@ def _is_unmoved(old: Provision, new: Provision, places: Places) -> bool:
     return places.same_module(old, new) or old.name.startswith(HOLE) or not old.is_value
 
 
+def move_key(entity: Provision) -> tuple[str, str, str]:
+    """What two entities have in common of which one may be the other in another place."""
+    name, place = entity.name, entity.row.place
+    if place == "scope":
+        name = name.replace("::", ".").replace("/", ".").rsplit(".", 1)[-1]
+    elif place == "folder":
+        name = name.rsplit("/", 1)[-1]
+    elif place == "section":
+        return entity.kind, "", name.rsplit(".", 1)[-1]
+    return entity.kind, entity.facet, name
+
+
 def is_reshaped(old: Provision, new: Provision) -> bool:
     """Whether two parameter names differ only in a prefix that no artefact shows.
 

@@ -22,13 +22,14 @@ from ecm_extract.diff.file_moves import alone_in_moved_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
-from ecm_extract.diff.moves import Places, best_home, is_reshaped
+from ecm_extract.diff.moves import Places, best_home, is_reshaped, move_key
 from ecm_extract.diff.nodes import Successions, node_pairs
 from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.same_line import same_lines
 from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
 from ecm_extract.diff.settings import SettingFiles
+from ecm_extract.diff.shared_parts import SharedParts
 from ecm_extract.diff.sharing import by_sharers
 from ecm_extract.diff.similarity import in_package, last_part, same_language
 from ecm_extract.diff.successors import stated_successor
@@ -67,6 +68,7 @@ class Pairing:
         self.packages: dict[str, str] = {}
         self.homes: dict[str, str] = {}
         self.bases = Bases(new)
+        self._parts = SharedParts(old.values(), new.values())
         self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in module_kinds()}
         self._owners = frozenset((key[1], key[2] or key[3]) for key in new)
 
@@ -127,7 +129,8 @@ class Pairing:
     def _by_file(self, kind: str) -> None:
         """What its file alone declared of a kind has moved with the file, however it is called now."""
         for found in list(alone_in_moved_files(kind, self.old.values(), self.new.values(), self.evidence.files)):
-            self.take(found)
+            if found.old is not None and found.new is not None and self._parts.may_be_one(found.old, found.new):
+                self.take(found)
 
     def _nodes(self) -> None:
         """Nodes under another name, or made by something else; a launch file that starts other ones is no change."""
@@ -259,12 +262,14 @@ class Pairing:
         index: dict[tuple[str, str, str], list[Provision]] = defaultdict(list)
         for entity in self.new.values():
             if entity.kind in wanted:
-                index[_move_key(entity)].append(entity)
+                index[move_key(entity)].append(entity)
         places = Places(self.evidence.files, self.packages, self._same_module, self.evidence.before, self._owners)
         for entity in list(self.old.values()):
             if entity.kind not in wanted:
                 continue
-            homes = [other for other in index.get(_move_key(entity), ()) if other.key in self.new]
+            homes = [other for other in index.get(move_key(entity), ()) if other.key in self.new]
+            if entity.row.layout:  # what makes the bytes of a message is of no other one
+                homes = [other for other in homes if other.owner == self.owners.get(entity.owner, entity.owner)]
             found = best_home(entity, homes, places)
             if found is not None:
                 self.take(found)
@@ -322,6 +327,8 @@ class Pairing:
         reasons: dict[tuple[int, int], str] = {}
         for row, old in enumerate(before):
             for column, new in enumerate(after):
+                if not self._parts.may_be_one(old, new):
+                    continue
                 known = not old.is_value or (old.owner, new.owner) in kin
                 found = score(old, new, self.evidence.files, self.evidence.history, known)
                 if found is not None:
@@ -330,17 +337,6 @@ class Pairing:
             confidence = round(min(0.99, scores[row, column]), 2)
             how: How = "moved" if before[row].name == after[column].name else "renamed"
             self.take(Pair(before[row], after[column], how, confidence, reasons[row, column]))
-
-
-def _move_key(entity: Provision) -> tuple[str, str, str]:
-    name, place = entity.name, entity.row.place
-    if place == "scope":
-        name = name.replace("::", ".").replace("/", ".").rsplit(".", 1)[-1]
-    elif place == "folder":
-        name = name.rsplit("/", 1)[-1]
-    elif place == "section":
-        return entity.kind, "", name.rsplit(".", 1)[-1]
-    return entity.kind, entity.facet, name
 
 
 def _may_be(old: Provision, new: Provision) -> bool:

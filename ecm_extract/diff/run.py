@@ -140,4 +140,4 @@ def located_changes(request: Request, old: Side, new: Side) -> list[Located]:
     located = changes_of(pairs, old, new)
     if not request.packages:
         return located
-    return [entry for entry in located if entry.change.package in request.packages]
+    return [entry for entry in located if entry.packages & set(request.packages)]

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from ecm_parsers.interface_facts import Definition, Field
 from ecm_parsers.interface_hash import md5
 
+from ecm_extract.diff.bytes_of import SameBytes, own_difference
 from ecm_extract.diff.model import Pair
 from ecm_extract.entities.side import Side
 
@@ -27,28 +28,34 @@ def wire_note(name: str, old: Side, new: Side, new_name: str) -> str:
     """Say what a connection and a bag do with a changed interface."""
     if name not in old.interfaces or new_name not in new.interfaces:
         return ""
-    note = "ROS 2: the type hash changes, old and new sides must both be rebuilt, bags need migration"
-    if _ros(new, new_name) != 1:
-        return note
+    if ros_of(new, new_name) != 1:
+        return "ROS 2: the type hash changes, old and new sides must both be rebuilt, bags need migration"
+    if SameBytes(old.interfaces, new.interfaces)(name, new_name):
+        return "ROS 1: its bytes and its MD5 sum stay the same; what has another name must be followed in code"
     before, after = ros1_sums(name, old, new, new_name)
     if before is None or after is None:
-        return "ROS 1: the layout changes; rebuild both sides, bags need a migration rule"
+        return "ROS 1: the definition changes; rebuild both sides, bags need a migration rule"
     if before == after:
         return "ROS 1: the MD5 sum does NOT change, so both sides connect and read each other's bytes wrongly"
     return f"ROS 1: MD5 {before[:8]} became {after[:8]}, connections are refused, bags need a migration rule"
 
 
-def _ros(side: Side, name: str) -> int | None:
+def ros_of(side: Side, name: str) -> int | None:
+    """The ROS of the package of an interface; None where that is not known."""
     info = side.packages.get(name.partition("/")[0])
     return info.ros if info is not None else None
 
 
 def nested_changes(pairs: list[Pair], old: Side, new: Side) -> Iterator[tuple[Pair, str]]:
-    """Yield interfaces whose own text is the same and whose layout changes, with the nested field that changed.
+    """Yield interfaces whose own text is the same and that hold one that changed, with the field that does.
 
     Pairs of other kinds, and of messages whose own fields changed, are passed over.
     """
-    ways = ways_to(_changed_types(old, new), old.interfaces)
+    same = SameBytes(old.interfaces, new.interfaces)
+    differing = {name for name in old.interfaces if name not in new.interfaces or _difference(name, old, new)}
+    alike = {name for name in differing if name in new.interfaces and _is_alike(name, old, new, same)}
+    known = {name: definition for name, definition in old.interfaces.items() if name not in alike}
+    ways = ways_to(differing - alike, known)
     for pair in pairs:
         if pair.old is None or pair.new is None or not pair.old.row.generated:
             continue
@@ -56,17 +63,38 @@ def nested_changes(pairs: list[Pair], old: Side, new: Side) -> Iterator[tuple[Pa
             yield pair, way_text(pair.old.name, ways)
 
 
-def _changed_types(old: Side, new: Side) -> set[str]:
-    """Interfaces whose own fields differ, or that are gone."""
-    return {
-        name
-        for name, definition in old.interfaces.items()
-        if name not in new.interfaces or _layout(definition) != _layout(new.interfaces[name])
-    }
+def own_changes(pairs: Iterable[Pair], told: Container[str], old: Side, new: Side) -> Iterator[tuple[Pair, str]]:
+    """Yield interfaces whose own text changed what two sides compare though none of their parts did, and how.
+
+    Args:
+        pairs: of all kinds.
+        told: interfaces of which the change of a part is told.
+        old: the side before.
+        new: the side after.
+    """
+    same = SameBytes(old.interfaces, new.interfaces)
+    for pair in pairs:
+        if pair.old is None or pair.new is None or not pair.old.row.generated or pair.old.name in told:
+            continue
+        how = _difference(pair.old.name, old, new) if pair.old.name == pair.new.name else ""
+        if how and not _is_alike(pair.old.name, old, new, same):
+            yield pair, how
 
 
-def _layout(definition: Definition) -> tuple[tuple[tuple[str, str], ...], ...]:
-    return tuple(tuple((field.type, field.name) for field in section.fields) for section in definition.sections)
+def _difference(name: str, old: Side, new: Side) -> str:
+    before, after = old.interfaces.get(name), new.interfaces.get(name)
+    if before is None or after is None:
+        return ""
+    return own_difference(before, after, name.partition("/")[0], _is_ros1(name, old, new))
+
+
+def _is_alike(name: str, old: Side, new: Side, same: SameBytes) -> bool:
+    """Whether two sides talk as they did: a nested type has another name, which ROS 1 does not compare."""
+    return _is_ros1(name, old, new) and same(name, name)
+
+
+def _is_ros1(name: str, *sides: Side) -> bool:
+    return all(ros_of(side, name) == 1 for side in sides)
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,7 @@ from ecm_extract.entities.descriptions import description_entities
 from ecm_extract.entities.endpoints import endpoint_entities
 from ecm_extract.entities.interfaces import interface_entities
 from ecm_extract.entities.launch import launch_entities, launch_files
+from ecm_extract.entities.launch_parameters import launch_parameters
 from ecm_extract.entities.naming import at_their_names
 from ecm_extract.entities.nodes import node_entities
 from ecm_extract.entities.packaging import packaging_entities
@@ -116,4 +117,5 @@ def _of_package(
     launches = launch_files(texts, facts)
     yield from launch_entities(facts, launches)
     yield from parameter_settings(texts, facts, launches)
+    yield from launch_parameters(facts, launches)
     yield from description_entities(texts, facts)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import PurePosixPath
+from typing import Final
 
 import msgspec
 from ecm_checker.hub.provision import Provision
-from ecm_parsers.launch.model import Argument, LaunchFile
-from ecm_parsers.launch.templates import written
+from ecm_parsers.launch.model import Argument, Include, LaunchFile
+from ecm_parsers.launch.templates import all_actions, written
 
 from ecm_extract.entities.launch_conditions import arguments, taken
 from ecm_extract.entities.launch_reads import is_open, reads
@@ -17,6 +18,9 @@ from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file, read_launch
 from ecm_extract.test_code import is_test_path
+
+_XML: Final = ".xml"
+"""Of a launch file that only who includes it tells to be one."""
 
 
 def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFile]]) -> Iterator[Provision]:
@@ -52,12 +56,25 @@ def launch_files(texts: SideTexts, facts: PackageFacts) -> Sequence[tuple[str, L
 
 
 def _parsed(texts: SideTexts, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:
-    paths = [
-        entry.path
-        for entry in facts.root.files
-        if is_launch_file(entry.path) and not is_test_path(entry.path, facts.root.path)
-    ]
-    for path, data in texts.read_many(sorted(paths)):
-        file = texts.told(path, read_launch(path, data, facts.ros))
-        if file is not None:
-            yield path, file
+    """Yield those that their names tell, then those that they include, whatever these are called."""
+    files = {entry.path for entry in facts.root.files if not is_test_path(entry.path, facts.root.path)}
+    pending = sorted(path for path in files if is_launch_file(path))
+    seen = set(pending)
+    while pending:
+        included: set[str] = set()
+        for path, data in texts.read_many(pending):
+            file = texts.told(path, read_launch(path, data, facts.ros))
+            if file is not None:
+                yield path, file
+                included.update(_own_included(file, facts))
+        pending = sorted(included & files - seen)
+        seen.update(pending)
+
+
+def _own_included(file: LaunchFile, facts: PackageFacts) -> Iterator[str]:
+    """Yield the XML files of the package itself that a launch file includes by where the package lies."""
+    prefix = f"$(find {facts.name})/"
+    for action in all_actions(file.actions):
+        named = written(action.path) if isinstance(action, Include) else ""
+        if named.startswith(prefix) and named.endswith(_XML):
+            yield str(PurePosixPath(facts.root.path) / named.removeprefix(prefix))

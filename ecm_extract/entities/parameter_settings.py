@@ -43,14 +43,14 @@ def _setting(entry: ParameterSet, path: str, ros: int, facts: PackageFacts) -> P
         package=facts.name,
         owner=_inside(path, facts),
         name=f"{entry.node.lstrip('/')}.{entry.name}" if entry.node else entry.name,
-        default=_plain(entry.value),
+        default=plain(entry.value),
         ros=ros,
         path=path,
         line=entry.line,
     )
 
 
-def _plain(value: object) -> object:
+def plain(value: object) -> object:
     """A value as every document can hold it; a list, a map and a number that JSON has no form for are text."""
     if isinstance(value, bool | str):
         return value

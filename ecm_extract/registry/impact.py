@@ -128,7 +128,8 @@ def impact_of(session: Session, old: Side, new: Side, scope: Scope, beside: Sequ
 
 def _changed(located: Iterable[Located]) -> list[Provision]:
     """What was provided before and is not any more, or otherwise."""
-    return [each.pair.old for each in located if each.change.breaking and each.pair.old is not None]
+    breaking = (each for entry in located if entry.change.breaking for each in entry.each)
+    return [each.pair.old for each in breaking if each.pair.old is not None]
 
 
 class _Used(msgspec.Struct, frozen=True):
@@ -173,7 +174,7 @@ def _uses(consumers: Sequence[StoredConsumer], broken: BrokenNames) -> Iterator[
 def _breaks(used: Sequence[_Used]) -> Iterator[Break]:
     by_change: dict[object, list[_Used]] = defaultdict(list)
     for each in used:
-        by_change[each.use.located.key].append(each)
+        by_change[each.use.located.change].append(each)
     grouped = [(group[0].use.located, group) for group in by_change.values()]
     found = [(finding_of(located, [each.use for each in group]), located, group) for located, group in grouped]
     for finding, located, group in sorted(found, key=lambda entry: _rank(entry[0])):

@@ -80,3 +80,40 @@ def test_settings_that_come_and_go(changes, new: dict[str, str | None], expected
     rules = CMAKE % "install(DIRECTORY config DESTINATION share/arm)\n"
     found = changes({CONFIG: FILE % "10", "arm/CMakeLists.txt": rules}, new)
     assert sorted((entry[3:7] for entry in _told(found)), key=str) == sorted(expected, key=str)
+
+
+@pytest.mark.parametrize(("included", "told"), [("config/std.xml", 1), ("config/other.xml", 0)])
+def test_a_file_that_is_included_loads_as_well(changes, included: str, told: int) -> None:  # type: ignore[no-untyped-def]
+    """What is included is a launch file, whatever it is called and wherever it lies; another one is only a file."""
+    top = f'<launch><include file="$(find arm)/{included}"/></launch>\n'
+    old = {"arm/package.xml": ROS1, "arm/launch/a.launch": top, "arm/config/std.xml": LAUNCH1}
+    found = changes({**old, CONFIG: "rate: 10\n"}, {CONFIG: "rate: 20\n"})
+    assert [entry[3:7] for entry in _told(found)] == [("rate", "rate", "10", "20")] * told
+
+
+def _launch1(inner: str) -> str:
+    return f'<launch><arg name="space" default="w"/><param name="frame" value="base"/>{inner}</launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("inner", "gone", "came"),
+    [
+        ('<param name="$(arg space)/model" value="m"/>', "model", "$(arg space)/model"),
+        ('<group ns="left"><param name="model" value="m"/></group>', "model", "left/model"),
+        ('<param name="model" value="m"/>', None, None),
+        ('<node pkg="a" type="b" name="c"><param name="model" value="m"/></node>', "model", None),
+    ],
+)
+def test_what_a_launch_file_puts_on_the_server_of_parameters(changes, inner: str, gone: object, came: object) -> None:  # type: ignore[no-untyped-def]
+    """Any node may read it by its name, so that another name is one less and one more; what a node gets is its own."""
+    old = {"arm/package.xml": ROS1, "arm/launch/a.launch": _launch1('<param name="model" value="m"/>')}
+    found = _told(changes(old, {"arm/launch/a.launch": _launch1(inner), "arm/README": "two\n"}))
+    assert {each[3] for each in found if each[3]} == ({gone} if gone else set())
+    assert {each[4] for each in found if each[4]} == ({came} if came else set())
+
+
+def test_another_value_on_the_server_is_told(changes) -> None:  # type: ignore[no-untyped-def]
+    """Who reads it gets another one, and nobody breaks."""
+    old = {"arm/package.xml": ROS1, "arm/launch/a.launch": _launch1('<param name="model" value="m"/>')}
+    found = _told(changes(old, {"arm/launch/a.launch": _launch1('<param name="model" value="n"/>')}))
+    assert [each[2:] for each in found] == [("launch/a.launch", "model", "model", "m", "n", False)]

@@ -1,0 +1,52 @@
+"""Whether two messages of different names hold anything in common: else they are two, however alike the names."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+from typing import Final
+
+from ecm_checker.hub.provision import Provision
+
+from ecm_extract.diff.similarity import last_part, name_similarity, words
+
+_HEADER: Final = "std_msgs/Header"
+"""What half of all messages hold tells of none of them."""
+_ALIKE: Final = 0.6
+Parts = dict[str, list[Provision]]
+
+
+class SharedParts:
+    """Knows the fields and constants of the interfaces of both sides."""
+
+    def __init__(self, old: Iterable[Provision], new: Iterable[Provision]) -> None:
+        self._old, self._new = _parts(old), _parts(new)
+
+    def may_be_one(self, old: Provision, new: Provision) -> bool:
+        """Whether one entity can be the other under another name; one that is empty tells nothing against it.
+
+        Where the words of one name are all in the other, as of `SickSetMap` and `SetMap`, the fields may be others.
+        """
+        names = words(last_part(old.name)), words(last_part(new.name))
+        if not old.row.generated or names[0] <= names[1] or names[1] <= names[0]:
+            return True
+        before, after = self._old.get(old.name, []), self._new.get(new.name, [])
+        if not before or not after or [each.type for each in before] == [each.type for each in after]:
+            return True
+        return any(_is_alike(one, other) for one in before for other in after)
+
+
+def _parts(entities: Iterable[Provision]) -> Parts:
+    found: Parts = defaultdict(list)
+    for entity in entities:
+        if entity.row.part and entity.row.wire and "/" in entity.owner and entity.type != _HEADER:
+            found[entity.owner].append(entity)
+    return found
+
+
+def _is_alike(old: Provision, new: Provision) -> bool:
+    """`segId` is `segment_id`, `posex` is `x`: a word or an end in common, or nearly all letters."""
+    before, after = last_part(old.name), last_part(new.name)
+    if before.endswith(after) or after.endswith(before):
+        return True
+    return bool(words(before) & words(after)) or name_similarity(before, after) >= _ALIKE
