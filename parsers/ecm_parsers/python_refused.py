@@ -48,7 +48,7 @@ def refused_by_every_python(data: bytes) -> Diagnostic | None:
     line = error.lineno or 0
     if root is None or str(error.msg).startswith(_STATEMENT_ONCE) or not _breaks_near(root, line):
         return None
-    return None if any(leaf.text in _ONCE_NAMES or leaf.text == b"`" for leaf in _leaves(root, line)) else _told(error)
+    return None if _has_once(root, line) else _told(error)
 
 
 def _error(data: bytes) -> SyntaxError | None:
@@ -84,6 +84,13 @@ def _is_of_later(node: Node, line: int) -> bool:
 def _breaks_near(root: Node, line: int) -> bool:
     broken = _nodes(root, lambda node: node.has_error)
     return any((node.is_error or node.is_missing) and abs(node.start_point[0] + 1 - line) <= _NEAR for node in broken)
+
+
+def _has_once(root: Node, line: int) -> bool:
+    """Whether a line has a name or sign that Python 3 has no more; a text is a copy of all, so it is taken once."""
+    whole, first = root.text or b"", root.start_byte
+    words = (whole[leaf.start_byte - first : leaf.end_byte - first] for leaf in _leaves(root, line))
+    return any(word in _ONCE_NAMES or word == b"`" for word in words)
 
 
 def _leaves(root: Node, line: int) -> Iterator[Node]:
