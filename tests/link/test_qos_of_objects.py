@@ -158,3 +158,42 @@ def test_a_profile_of_an_object_that_others_change_is_unknown(workspace: Any) ->
     body = "row.qos = found()\n            self.create_publisher(String, row.name, row.qos)"
     found = workspace.package({"pkg/demo.py": ROWS_OF_PYTHON.format(kind="Config", body=body)}).interfaces()
     assert {each.qos.reliability for each in found if each.name in OF_ROWS} == {"unknown"}
+
+
+CHANGED_ELSEWHERE = {
+    "pkg/demo.py": """
+import rclpy
+from rclpy.node import Node
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+from std_msgs.msg import String
+class Kept:
+    QOS = QoSProfile(depth=1)
+QOS = QoSProfile(depth=1)
+def fix():
+    {name}.reliability = ReliabilityPolicy.BEST_EFFORT
+class Demo(Node):
+    def __init__(self):
+        super().__init__('demo')
+        fix()
+        self.create_publisher(String, 't', {name})
+""",
+    "src/demo.cpp": """
+#include <rclcpp/rclcpp.hpp>
+static rclcpp::QoS {name}(1);
+static void fix() {{ {name}.best_effort(); }}
+class Demo : public rclcpp::Node {{
+ public:
+  Demo() : Node("demo") {{ fix(); create_publisher<std_msgs::msg::String>("t", {name}); }}
+}};
+int main(int argc, char ** argv) {{ rclcpp::spin(std::make_shared<Demo>()); }}
+""",
+}
+
+
+@pytest.mark.parametrize(
+    ("path", "name"), [("pkg/demo.py", "QOS"), ("pkg/demo.py", "Kept.QOS"), ("src/demo.cpp", "kept_qos")]
+)
+def test_a_profile_of_a_module_that_functions_change_is_unknown(workspace: Any, path: str, name: str) -> None:
+    """It was told as it is declared, whoever changes it."""
+    found = workspace.package({path: CHANGED_ELSEWHERE[path].format(name=name)}).only("publisher")
+    assert (found.qos.reliability, found.qos.depth) == OPEN

@@ -298,6 +298,8 @@ class QosReader:
         begun = preset_of(constant[0].type) if constant is not None else {}
         if constant is None or constant[0].value is None:
             return begun or self._unseen(expr, env)
+        if self.variables.is_changed_elsewhere(expr, *constant, env):
+            return {**UNSEEN}
         scope, own = last_name(constant[0].scope), constant[0].name
         whole = Member(Name(scope), own) if scope else Name(own)
         left = self.variables.left_by_module(whole, constant[1], env, level)
