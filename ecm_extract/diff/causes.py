@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import Final
 
 import msgspec
-from ecm_checker.hub.provision import Provision
+from ecm_checker.hub.provision import HOLE, Provision
 from ecm_checker.hub.roles import module_kinds
 
 from ecm_extract.diff.model import Located
@@ -22,7 +22,8 @@ Homes = dict[tuple[str, str, str], list[Provision]]
 def one_cause(found: Iterable[Located], new: Side) -> list[Located]:
     """Join what one line does to one name in several modules; hint at the same name elsewhere in its owner.
 
-    Names that a line makes beside each other, as in a loop, are several: who uses one does not use the next.
+    Names that a line makes beside each other, as in a loop, are several: who uses one does not use the next. What it
+    makes of values that are not known are ways to write one name; all are named, and each is asked for.
     """
     homes: Homes = defaultdict(list)
     for entity in new.entities.values():
@@ -42,18 +43,32 @@ def _cause(located: Located) -> object:
     sides = [entity for entity in (located.pair.old, located.pair.new) if entity is not None]
     what = (change.kind, change.change, change.breaking, change.old_value, change.new_value)
     policy = (change.old, change.new) if change.row.policy else ()
-    return what, policy, tuple((entity.name, entity.path, entity.line) for entity in sides)
+    return what, policy, tuple((_known(entity.name), entity.path, entity.line) for entity in sides)
+
+
+def _known(name: str) -> str:
+    """A name, or what one ends in whose parts are computed."""
+    return f"{HOLE}{last_part(name)}" if HOLE in name else name
 
 
 def _joined(group: list[Located]) -> Located:
     first, *rest = sorted(group, key=lambda entry: (_is_foreign(entry), entry.change.package, entry.change.owner))
     pairs = tuple(entry.pair for entry in rest)
-    others = sorted({entry.change.owner for entry in group} - {first.change.owner})
-    if not others:
-        return Located(first.change, first.pair, pairs)
-    listed = ", ".join(others[:_MAX_NAMED]) + (" and more" if len(others) > _MAX_NAMED else "")
-    change = msgspec.structs.replace(first.change, reason=f"{first.change.reason} (also of {listed})")
-    return Located(change, first.pair, pairs)
+    owners = sorted({entry.change.owner for entry in group} - {first.change.owner})
+    names = sorted({_name(entry) for entry in rest} - {_name(first)})
+    reason = first.change.reason
+    reason += f" (also of {_listed(owners)})" if owners else ""
+    reason += f" (also {_listed(names)})" if names else ""
+    return Located(msgspec.structs.replace(first.change, reason=reason), first.pair, pairs)
+
+
+def _name(located: Located) -> str:
+    entity = located.pair.old or located.pair.new
+    return entity.name if entity is not None else ""
+
+
+def _listed(words: list[str]) -> str:
+    return ", ".join(words[:_MAX_NAMED]) + (" and more" if len(words) > _MAX_NAMED else "")
 
 
 def _is_foreign(located: Located) -> bool:

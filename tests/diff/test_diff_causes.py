@@ -120,3 +120,10 @@ def test_what_one_of_its_programs_explains_is_not_explained(programs: tuple[str,
     joined = one_cause([_gone("a"), _gone("b")], Side(None))
     found = folded([*joined, *map(_program, programs)])
     assert [bool(each.change.cause) for each in found if each.change.kind == "parameter"] == [cause]
+
+
+def test_ways_to_write_a_computed_name_are_one_change_that_names_them() -> None:
+    """What a line makes of values that are not known is one change; each way is named, and asked for."""
+    found = one_cause([_gone("a", "<*>/rate"), _gone("a", "left/<*>/rate"), _gone("a", "left/<*>/size")], Side(None))
+    assert [len(entry.each) for entry in found] == [2, 1]
+    assert "(also left/<*>/rate)" in found[0].change.reason
