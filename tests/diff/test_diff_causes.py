@@ -125,5 +125,5 @@ def test_what_one_of_its_programs_explains_is_not_explained(programs: tuple[str,
 def test_ways_to_write_a_computed_name_are_one_change_that_names_them() -> None:
     """What a line makes of values that are not known is one change; each way is named, and asked for."""
     found = one_cause([_gone("a", "<*>/rate"), _gone("a", "left/<*>/rate"), _gone("a", "left/<*>/size")], Side(None))
-    assert [len(entry.each) for entry in found] == [2, 1]
+    assert [len(list(entry.each)) for entry in found] == [2, 1]
     assert "(also left/<*>/rate)" in found[0].change.reason
