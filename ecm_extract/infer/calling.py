@@ -142,19 +142,34 @@ class Calling:
         if not key:
             self.memory.show([member for member in state.holds if member.startswith(".")], state)
         for call, members in changing:
-            all_changed = self._with_fields(members or {}, state)
-            found = {member: self._after(member, name, call, at, env, state) for member, name in all_changed.items()}
-            for member, held in found.items():
-                state = self.memory.in_part(member, held, state)
+            given, fields = members or {}, self._fields_of(members or {}, state)
+            held = {name: self._after(name, there, call, at, env, state) for name, there in {**fields, **given}.items()}
+            aliases = self._aliases(fields, given, state)
+            state = state.having({name: (Held("lost", name),) for name in aliases})
+            state = state.having({name: (held[name],) for name in fields})
+            for member in given:
+                state = self.memory.in_part(member, held[member], state)
         return state
 
-    def _with_fields(self, members: Mapping[str, str], state: State) -> Mapping[str, str]:
-        """What a method changes, with all that is known of the fields of it, each with its name in the method."""
-        found = dict(members)
-        for key in [key for key in state.holds if lies_in(key, members)]:
+    def _fields_of(self, members: Mapping[str, str], state: State) -> Mapping[str, str]:
+        """What is known of fields of what a method changes, each with its name in the method."""
+        found: dict[str, str] = {}
+        for key in [key for key in state.holds if lies_in(key, members) and key not in members]:
             whole = max((member for member in members if key.startswith(f"{member}.")), key=len)
-            found.setdefault(key, members[whole] + key.removeprefix(whole))
+            found[key] = members[whole] + key.removeprefix(whole)
         return found
+
+    def _aliases(self, fields: Mapping[str, str], members: Mapping[str, str], state: State) -> set[str]:
+        """Other names of such fields, by other names of what they lie in."""
+        names = {member: self.memory.names(member, state) for member in members} if fields else {}
+        same = (
+            f"{name}{key.removeprefix(member)}"
+            for key in fields
+            for member, others in names.items()
+            if key.startswith(f"{member}.")
+            for name in others
+        )
+        return {key for key in same if key in state.holds and key not in fields}
 
     def _followed(self, state: State) -> list[str]:
         """The objects that the function made and called methods of."""

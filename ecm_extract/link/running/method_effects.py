@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Set
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Call, Member
 
@@ -19,6 +19,9 @@ from ecm_extract.link.running.seen_from_outside import leaves_members
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
+
+MAX_FIELDS: Final = 16
+"""Fields of a member that are told apart; a method that changes more changes the member."""
 
 
 class MethodEffects:
@@ -193,13 +196,14 @@ class MethodEffects:
             yield from (f".{name}.{rest}" for name in pointed)
 
     def _changed_of(self, key: str, call: Invocation, place: Env) -> Iterator[str]:
-        """The fields of a member that a method of its class may change; the member where that is not known."""
+        """The fields of a member that a method of its class may change; the member where that is not known, or many."""
         callee = self._meant(call, place)
         members = self._members(callee, None) if callee is not None else None
-        if members is None:
+        fields = {member.split(".")[1] for member in members or ()}  # what lies deeper is a part of these
+        if members is None or len(fields) > MAX_FIELDS:
             yield key
             return
-        yield from (key + member for member in members)
+        yield from (f"{key}.{field}" for field in fields)
 
     def _called(self, func: Func, this: Cls | None) -> set[Func] | None:
         """The methods that a method calls on its object; None where somebody else may change that meanwhile."""
