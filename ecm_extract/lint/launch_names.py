@@ -5,15 +5,16 @@ Sources: `ros::names::validate` of roscpp; design.ros2.org "Topic and Service na
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
+from string import ascii_letters, digits
 from typing import Final
 
 from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, PushNamespace, Remap, Template
 from ecm_parsers.launch.templates import all_actions
 
 _ROS_1: Final = 1
-_NOT_IN_NAME: Final = {1: re.compile(r"[^A-Za-z0-9_/~]"), 2: re.compile(r"[^A-Za-z0-9_/~{}]")}
+_IN_NAME: Final = frozenset(f"{ascii_letters}{digits}_/~")
+_IN_NAME_OF_ROS_2: Final = _IN_NAME | set("{}")
 _HOLE: Final = "x"
 """What stands for a part that only the launch knows."""
 
@@ -57,9 +58,10 @@ def _wrong(name: Template, ros: int) -> str | None:
     text = "".join(part if isinstance(part, str) else _HOLE for part in name)
     if "$(" in text:
         return None
-    found = _NOT_IN_NAME[ros].search(text)
-    if found is not None:
-        return f"{text!r} is no name: it has {found[0]!r}"
+    allowed = _IN_NAME if ros == _ROS_1 else _IN_NAME_OF_ROS_2
+    other = next((letter for letter in text if letter not in allowed), "")
+    if other:
+        return f"{text!r} is no name: it has {other!r}"
     if text[:1].isdigit() or (ros == _ROS_1 and text.startswith("_")):
         return f"{text!r} is no name: it begins with {text[0]!r}"
     return None
