@@ -341,20 +341,3 @@ int main(int c, char ** v) { ros::init(c, v, "n"); Reader::instance(); ros::spin
 """
     found = workspace.package({"src/n.cpp": text}, ros=1).only("subscriber")
     assert (found.name, found.qos.depth) == ("/inner/in", 7)
-
-
-def test_a_default_that_is_named_like_its_parameter(workspace: Any) -> None:
-    """`node=node` takes a variable of the module; asking for the default of the default never ended."""
-    code = """
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import String
-node = Node('demo')
-class Listener:
-    def listen(self, node=node):
-        node.create_subscription(String, 'in', print, 1)
-def main():
-    Listener().listen()
-    rclpy.spin(node)
-"""
-    assert workspace.package({"pkg/demo.py": code}).only("subscriber").name == "/in"
