@@ -126,8 +126,9 @@ class Calling:
         outline = self.frame.outline
         for func in (func for call in calls for func in outline.run_by(call)):
             changed = {key for key in outline.changed_inside(func) if self.memory.is_open(key)}
-            by_others = func.calls and not changed and not self.frame.judge.methods.leaves_own(func, env)
-            state = self._anything(state) if by_others else self.memory.lost(state, changed)
+            known = self.frame.judge.methods.changed_by(func, env)
+            state = self._anything(state) if known is None or known - changed else state
+            state = self.memory.lost(state, changed)
         return state
 
     def _at_hand(self, call: Call, env: Env) -> str | None:
@@ -145,7 +146,7 @@ class Calling:
             given, fields = members or {}, self._fields_of(members or {}, state)
             held = {name: self._after(name, there, call, at, env, state) for name, there in {**fields, **given}.items()}
             aliases = self._aliases(fields, given, state)
-            state = state.having({name: (Held("lost", name),) for name in aliases})
+            state = state.having({name: (Held("lost", name),) for name in sorted(aliases)})
             state = state.having({name: (held[name],) for name in fields})
             for member in given:
                 state = self.memory.in_part(member, held[member], state)

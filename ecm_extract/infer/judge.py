@@ -56,8 +56,8 @@ class Methods(Protocol):
     def changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
         """Return the members that a call of a method may change, each with its key there; None if that is unknown."""
 
-    def leaves_own(self, func: Func, env: Env) -> bool:
-        """Tell whether a function that is declared in another one changes no member of the object of that."""
+    def changed_by(self, func: Func, env: Env) -> Set[str] | None:
+        """Return the members that a function declared in another one changes, or methods that it calls; None: any."""
 
 
 class Judge(Targets, Protocol):

@@ -52,6 +52,7 @@ ROWS = [
 IN_ONE = [
     ("a lambda that reads it", 'auto f = [this]() { read_ = declare_parameter("t", "set"); }; f();', READ, OPEN),
     ("a lambda that calls a method", "auto f = [this]() { change(); }; f();", "pub(name_);", "set"),
+    ("a lambda that also does", 'auto f = [this]() { read_ = "x"; change(); }; f();', "pub(name_);", "set"),
 ]
 
 

@@ -138,9 +138,9 @@ class MethodEffects:
         """Tell whether a method changes no member of its object, through none of the methods that it calls either."""
         return self._members(func, this) == frozenset()
 
-    def leaves_own(self, func: Func, env: Env) -> bool:
-        """Tell whether a function that is declared in another one changes no member of the object of that."""
-        return self._members(func, env.this or env.func.cls) == frozenset()
+    def changed_by(self, func: Func, env: Env) -> Set[str] | None:
+        """Return the members that a function declared in another one changes, or methods that it calls; None: any."""
+        return self._members(func, env.this or env.func.cls)
 
     def depends(self, func: Func, this: Cls | None) -> bool:
         """Tell whether what a method does depends on when it is called: on members that are given several things."""

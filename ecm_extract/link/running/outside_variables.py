@@ -44,7 +44,9 @@ class OutsideVariables:
         own = self._meant(name, func)
         found = self._of(own) if own is not None else None
         written = self.written(own) if own is not None and found else None
-        return {each: written[each] for each in found if each in written} if found and written is not None else {}
+        return (
+            {each: written[each] for each in found} if found and written is not None and found <= set(written) else {}
+        )
 
     def _meant(self, name: str, func: Func) -> Stated | None:
         if func.file.language != "cpp":
