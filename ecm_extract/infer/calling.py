@@ -37,6 +37,7 @@ class Calling:
         for effect in self.frame.effects.of(at):
             state = self._apply(effect, at, env, state)
             state = self.giving.written(_receiver(effect.call), state)
+        state = self._by_bound_methods(calls, state)
         waits = at in self.frame.outline.waiting
         own = self.frame.judge.own_calls(env)
         state = self.giving.used(state) if waits or own else state
@@ -49,6 +50,15 @@ class Calling:
         state = state.having(self.frame.judge.lent.changed(env, state))
         if waits or own:
             state = self.memory.given_again([key for key in state.holds if self._may_be_changed(key)], state)
+        return state
+
+    def _by_bound_methods(self, calls: Sequence[Call], state: State) -> State:
+        """The state after `put = names.append; put("x")`: nobody knows what such a method makes of its object."""
+        for call in calls if self.frame.python else ():
+            ways = all_ways(state.holds.get(self.frame.effects.key(call.callee), ()))
+            bound = (held.expr.base for held in ways if held.how == "value" and isinstance(held.expr, Member))
+            for root in filter(None, map(self.frame.effects.root, bound)):
+                state = self.memory.in_place(root, Held("lost", root, before=state.holds.get(root, ())), state)
         return state
 
     def undone(self, at: int, before: State, state: State) -> State:
@@ -67,8 +77,22 @@ class Calling:
         on = [(call, self._object(call, env)) for call in calls]
         for key in dict.fromkeys(key for _, key in on if key is not None):
             state = self._on_object(key, [call for call, each in on if each == key], at, env, state)
+        state = self._through_objects(at, state)
         both = (self._of_receiver(call, at) for call, key in on if key == "")
         return self.memory.lost(state, {name for key in both if key for name in self.memory.names(key, state)})
+
+    def _through_objects(self, at: int, state: State) -> State:
+        """The state after methods of objects of Python, which may change what those have: `x.rows = b; x.go()`."""
+        for call in self.frame.env.func.calls[at] if self.frame.python else ():
+            key = self.frame.effects.key(_receiver(call))
+            if key and any(lies_in(each, {key}) for each in state.holds) and not self._is_left(call, at):
+                state = self.memory.sharers_reached({key}, state)
+        return state
+
+    def _is_left(self, call: Call, at: int) -> bool:
+        """Whether a method changes nothing of the object that it is called on."""
+        target = self.frame.judge.target(call, self.frame.env.func, at)
+        return target is not None and self._leaves_own(target)
 
     def _of_receiver(self, call: Call, at: int) -> str:
         """The variable on which a method is called that gets the object at hand, too, and may change its own."""
@@ -146,6 +170,7 @@ class Calling:
             given, fields = members or {}, self._fields_of(members or {}, state)
             held = {name: self._after(name, there, call, at, env, state) for name, there in {**fields, **given}.items()}
             aliases = self._aliases(fields, given, state)
+            state = self.memory.sharers_reached({*given, *fields}, state)
             state = state.having({name: (Held("lost", name),) for name in sorted(aliases)})
             state = state.having({name: (held[name],) for name in fields})
             for member in given:
@@ -187,6 +212,7 @@ class Calling:
         """The state after functions that may assign members as they like."""
         judge, env = self.frame.judge, self.frame.env
         again = [key for key in state.holds if key.startswith(".") and not judge.is_fixed(key, env)]
+        state = self.memory.sharers_reached({key for key in state.holds if key.startswith(".")}, state)
         return replace(self.memory.given_again(again, state), called=True)
 
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:

@@ -9,6 +9,7 @@ from typing import Final, NamedTuple
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, all_ways
+from ecm_extract.infer.places import owners, wholes
 
 
 class _Content(NamedTuple):
@@ -47,26 +48,34 @@ class Consisting:
 
     def named(self, keys: Iterable[str], state: State) -> set[str]:
         """Return variables with those that they are, or consist of, and what these consist of."""
+        return self._within(keys, {}, state)
+
+    def reached(self, keys: Iterable[str], state: State) -> set[str]:
+        """Return variables with all that who has them may change: what they and their fields are, or consist of."""
+        return self._within(keys, _fields(state), state)
+
+    def _within(self, keys: Iterable[str], fields: Mapping[str, list[str]], state: State) -> set[str]:
         found, pending = set[str](), list(keys)
         while pending:
             key = pending.pop()
             if key not in found:
                 found.add(key)
                 pending += self._parts(key, state)
+                pending += fields.get(key, ())
         return found
 
     def naming(self, keys: Iterable[str], state: State) -> set[str]:
         """Return variables with those that are one of them, or consist of one, and what consists of these."""
-        wholes = defaultdict[str, list[str]](list)
+        holding = defaultdict[str, list[str]](list)
         for name in state.holds:
             for part in self._parts(name, state):
-                wholes[part].append(name)
+                holding[part] += (name, *wholes(name), *owners(name))
         found, pending = set[str](), list(keys)
         while pending:
             key = pending.pop()
             if key not in found:
                 found.add(key)
-                pending += wholes.get(key, ())
+                pending += holding.get(key, ())
         return found
 
     def _parts(self, name: str, state: State) -> Set[str]:
@@ -149,3 +158,12 @@ def _before(held: Held) -> Iterable[Held]:
     if held.how == "met":
         return all_ways((held,))
     return held.before if held.how != "entered" else ()
+
+
+def _fields(state: State) -> Mapping[str, list[str]]:
+    """The fields of objects that something is known of."""
+    found = defaultdict[str, list[str]](list)
+    for key in state.holds:
+        for owner in (*wholes(key), *owners(key)):
+            found[owner].append(key)
+    return found

@@ -12,16 +12,19 @@ from ecm_parsers.source.expr import (
     Call,
     Constant,
     Expr,
+    Items,
     Lambda,
     Member,
     Name,
     Number,
     Op,
+    Table,
     Template,
     Text,
 )
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.bare_names import bare_names
 from ecm_extract.infer.kinds import Exceptions
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.link.code.walk import calls_in, children
@@ -163,7 +166,7 @@ class Effects:
             if any(is_within(effect.key, name) for effect in self.of(at)):
                 return True
             key = self.key(statement.target)
-            within = key != name and (self.root(statement.target) == name or is_within(key, name))
+            within = key != name and is_within(self.root(statement.target), name)
             grown = self.key(statement.target) == name and statement.type.endswith("=")
             kept = statement.kind in {"set", "return"} and self.key(statement.value) == name
             if within or grown or kept:
@@ -207,7 +210,8 @@ class Effects:
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
         changing = isinstance(callee, Member) and last in self.calls.changing
         library = last in self.calls.reading and isinstance(callee, Name) and callee.id != last  # `std::move`
-        if not (passed or named) or library or changing:
+        within = self._put_into(call)
+        if not (passed or named or within) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
         if target is None and last in self.calls.reading:
@@ -221,6 +225,13 @@ class Effects:
             yield from self._given(call, arg, target, param.name if param is not None else "", last)
         for name, arg in named:
             yield from self._given(call, arg, target, name, last)
+        yield from (Effect("handed", key, call) for key in within)
+
+    def _put_into(self, call: Call) -> list[str]:
+        """The variables of Python that a call gets in a list or table, or as one of several: `work([a], b or c)`."""
+        args = (*call.args, *(value for _, value in call.keywords)) if self.python else ()
+        made = (arg for arg in args if isinstance(arg, Items | Table | Op))
+        return [key for arg in made for expr in bare_names(arg) if (key := self.key(expr))]
 
     def _swaps(self, call: Call) -> bool:
         """Whether a call is `std::swap(a, b)` or `a.swap(b)`, and none of a function of the tree."""

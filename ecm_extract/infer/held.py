@@ -32,6 +32,7 @@ How = Literal[
     "stored",
     "out",
     "handed",
+    "reached",
     "looped",
     "after",
     "entered",
@@ -51,7 +52,8 @@ class Held:
             `lost`: nobody knows; `read` from a ROS parameter (`expr` its name, `more` its
             default); `changed` by a method (`expr` the call); `stored`: an element (`expr` the place, `more` the
             value); `out`: written by a function that got it (`expr` the call, `name` its parameter there); `handed` to
-            somebody who may have changed what it consists of; `looped`: what it held before a loop or after a round
+            somebody who may have changed what it consists of; `reached`: somebody may have changed its elements, not
+            which ones it has; `looped`: what it held before a loop or after a round
             of it (`before`); `after` a method that may have changed it (`expr` the call, `name` the member in it);
             `entered`: what it held where somebody called the function (`env`, `before`); `met`: what it held on one of
             several routes (`parts`), of which not all may be taken; `caught`: an exception, which `expr` makes, or the

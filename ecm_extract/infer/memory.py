@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Mapping, Set
 from typing import TYPE_CHECKING
 
+from ecm_parsers.source.expr import Items, Table
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, statements
 
-from ecm_extract.infer.held import Held, How, State
-from ecm_extract.infer.places import ALL_FIELDS, lies_in, wholes
+from ecm_extract.infer.held import Held, How, State, all_ways
+from ecm_extract.infer.places import ALL_FIELDS, lies_in, owners, wholes
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.sharing import Sharing
 
@@ -102,7 +103,7 @@ class Memory:
         """Change what a variable consists of, for all names of the same thing."""
         if self.frame.python:
             alike = self.sharing.alike(key, state)
-            others = self.sharing.holding(alike, state) | self.sharing.roots({key})
+            others = self.sharing.reached(alike, state) | self.sharing.roots({key})
         else:
             alike = self.sharing.names_of(key)
             others = self.sharing.touched(alike, state)
@@ -116,7 +117,8 @@ class Memory:
         if held.how == "lost":
             for name in alike:
                 state = self.parts_lost(name, state)
-        return self.reached(others, state).having(dict.fromkeys(alike, ways))
+        elements = self._elements_reached(alike, others, state) if self.frame.python else {}
+        return self.reached(others, state).having(elements).having(dict.fromkeys(alike, ways))
 
     def names(self, key: str, state: State) -> set[str]:
         """Return all names of what a name means."""
@@ -128,7 +130,7 @@ class Memory:
         What may be the same object, or an element that is, has a field that nobody knows.
         """
         keys, perhaps = {key}, set[str]()
-        for whole in wholes(key):
+        for whole in (*wholes(key), *owners(key)):
             names, part = self.names(whole, state), key.removeprefix(whole)
             keys |= {name + part for name in names}
             if self.frame.python:
@@ -149,9 +151,33 @@ class Memory:
         """The state after somebody changed what variables mean or hold: a text of Python stays what it is."""
         if not self.frame.python:
             return self.lost(state, keys)
-        fixed = [key for key in keys if key in state.holds and key not in self.frame.outline.bound_inside]
-        handed = {key: (Held("handed", key, before=state.holds[key]),) for key in fixed}
+        handed = {key: (Held("handed", key, before=self.known(key, state, None)),) for key in self._fixed(keys, state)}
         return self.lost(state, keys).having(handed)
+
+    def sharers_reached(self, keys: Set[str], state: State) -> State:
+        """The state after somebody changed what variables consist of: others of Python may be that, or have it, too."""
+        if not self.frame.python:
+            return state
+        alike = {name for key in keys for name in self.sharing.alike(key, state)}
+        return self.reached((self.sharing.consisting.reached(keys, state) | alike) - keys, state)
+
+    def _fixed(self, keys: Set[str], state: State) -> list[str]:
+        """Those of some variables of Python which nobody else gives anything, so that a text of theirs stays."""
+        return [
+            key for key in keys if self._is_member_or_held(key, state) and key not in self.frame.outline.bound_inside
+        ]
+
+    def _is_member_or_held(self, key: str, state: State) -> bool:
+        return key in state.holds or (key.startswith(".") and key.count(".") == 1)
+
+    def _elements_reached(self, changed: Set[str], keys: Set[str], state: State) -> Mapping[str, tuple[Held, ...]]:
+        """What lists of Python hold that were written out, after somebody changed what one of their elements means.
+
+        They have the elements that they had, unless they are a part of what was changed.
+        """
+        written = [key for key in self._fixed(keys, state) if _is_written_out(state.holds.get(key, ()))]
+        within = self.sharing.consisting.reached(changed, state) if written else ()
+        return {key: _elements_of(key, state.holds[key]) for key in written if key not in within}
 
     def show(self, keys: Iterable[str], state: State) -> None:
         """Note what variables hold while other functions run."""
@@ -193,3 +219,19 @@ class Memory:
         declaring = (self.frame.body[at] for at in statements(block))
         lets = [entry for entry in declaring if entry.kind == "let" or (entry.kind == "each" and not self.frame.python)]
         return {key for entry in lets for key in self.frame.outline.bound_keys(entry.target)} - {""}
+
+
+def _is_written_out(ways: tuple[Held, ...]) -> bool:
+    """Whether a variable surely holds a list, or a table, that is written out, or such a one after its own methods."""
+    return bool(ways) and all(held.how == "reached" or _is_own_list(held) for held in all_ways(ways))
+
+
+def _is_own_list(held: Held) -> bool:
+    if held.how in {"changed", "stored"}:
+        return _is_written_out(held.before)
+    return held.how == "value" and isinstance(held.expr, Items | Table)
+
+
+def _elements_of(key: str, ways: tuple[Held, ...]) -> tuple[Held, ...]:
+    """What is left of a list whose elements somebody may have changed."""
+    return ways if all(held.how == "reached" for held in ways) else (Held("reached", key, before=ways),)

@@ -115,7 +115,13 @@ class Sharing:
 
     def holding(self, keys: Set[str], state: State) -> set[str]:
         """Return variables that may be, or consist of, what some names mean, or what that consists of."""
-        found = self.consisting.named(keys, state)
+        return self._with_holders(keys, self.consisting.named(keys, state), state)
+
+    def reached(self, keys: Set[str], state: State) -> set[str]:
+        """Return variables that may be, or consist of, what somebody may change who has what some names mean."""
+        return self._with_holders(keys, self.consisting.reached(keys, state), state)
+
+    def _with_holders(self, keys: Set[str], found: set[str], state: State) -> set[str]:
         changing = {name for name in found if name in keys or not self._is_plain(name, state)}
         return found | self.consisting.naming(changing, state)
 

@@ -16,6 +16,7 @@ from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.declared_numbers import as_declared
 from ecm_extract.link.folding.fold_changes import STREAMS, ChangeFolder
+from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
 from ecm_extract.link.running.own_names import node_name
 from ecm_extract.link.running.values import (
@@ -93,7 +94,7 @@ class HeldFolder:
             return self.values(entered, env) if entered else self.given(held.name, env, first=held.how == "given")
         if held.how == "looped":
             return self.of([held.before], env)
-        if held.how == "handed":
+        if held.how in {"handed", "reached"}:
             return self._handed(held, env, inner.func.file.language == "python")
         return self._assigned(held, env, inner) if held.how == "value" else (unknown(_label(held.name)),)
 
@@ -268,6 +269,8 @@ class HeldFolder:
         before = self.items_of([held.before], env) if held.before else None
         if before is None:
             return None
+        if held.how == "reached":
+            return [reached(item) for item in before]
         if held.how == "changed" and isinstance(held.expr, Call):
             return self.folder.list_changes.changed(before, held.expr, inner)
         return self.folder.list_changes.stored(before, held, inner) if held.how == "stored" else None

@@ -337,9 +337,9 @@ def _is_as_given(held: Held) -> bool:
     while pending:
         each = pending.pop()
         of_caller = each.how == "given" and not each.name.startswith(".")  # a parameter, which is news to the member
-        if of_caller or each.how not in {"handed", "given", "shared"}:
+        if of_caller or each.how not in {"handed", "reached", "given", "shared"}:
             return False
-        further = all_ways(each.before) if each.how == "handed" else ()
+        further = all_ways(each.before) if each.how in {"handed", "reached"} else ()
         pending += [way for way in further if way not in seen]
         seen.update(further)
     return True

@@ -36,7 +36,7 @@ from ecm_extract.link.running.values import (
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
-_TOUCHED: Final = frozenset({"handed", "lost", "out"})
+_TOUCHED: Final = frozenset({"handed", "reached", "lost", "out"})
 """What becomes of an object that somebody has who is not followed."""
 MAX_RETURNS = 12
 """Returns of one call that are looked at."""

@@ -13,6 +13,7 @@ from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import is_map
 from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
 from ecm_extract.link.code.own import is_own_member
+from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, constant, data_in, demoted, is_proved, unknown
@@ -229,6 +230,8 @@ class TableFolder:
         before = self.held_entries(ways[0], env) if len(ways) == 1 else None
         if before is None:
             return None
+        if held.how == "reached":
+            return [Entry(entry.key, reached(entry.value)) for entry in before]
         if held.how == "stored" and held.expr is not None and held.more is not None:
             return [*before, Entry(Bound(held.expr, inner), Bound(held.more, inner))]
         return self._changed_entries(before, held, inner) if held.how == "changed" else None

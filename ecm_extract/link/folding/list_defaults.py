@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _UNWRAPPING: Final = shipped_names("link/code/library_values.toml", "parameter_values")
 
-_CHANGED: Final = frozenset({"changed", "stored", "out", "handed", "after", "lost"})
+_CHANGED: Final = frozenset({"changed", "stored", "out", "handed", "reached", "after", "lost"})
 """What becomes of a list that is not, or need not be, what it was read as."""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import THIS, Call, Member
+from ecm_parsers.source.expr import THIS, Call, Member, Name
 
 from ecm_extract.infer.effects import calls_of
 from ecm_extract.infer.places import ALL_FIELDS
@@ -213,7 +213,7 @@ class MethodEffects:
         for at, calls in enumerate(func.calls):
             place = Env(func, at, this=this, made=made)
             for call in calls:
-                if table.waits(call):
+                if table.waits(call) or self._hands_itself(call, func):
                     return None
                 if self.folder.flow.is_own(call, place.func, place.at) and self.folder.flow.reaches_object(call, place):
                     known = self._runs(call, place)
@@ -221,6 +221,11 @@ class MethodEffects:
                         return None
                     found |= known
         return found
+
+    def _hands_itself(self, call: Call, func: Func) -> bool:
+        """Whether a method gives its object to a function that it was handed, or has in a variable."""
+        own = isinstance(call.callee, Name) and call.callee.id in self.folder.flow.effects(func).own
+        return own and THIS in call.args
 
     def _runs(self, call: Call, place: Env) -> set[Func] | None:
         """The method that a call on the object at hand runs, none for one outside of the tree; None: nobody knows."""

@@ -114,7 +114,7 @@ class Origins:
             self._asked.discard((held, env))
 
     def _before(self, held: Held, env: Env) -> list[tuple[Held, Env]] | None:
-        if held.how in {"looped", "handed", "entered"} or (held.how in {"given", "shared"} and held.before):
+        if held.how in {"looped", "handed", "reached", "entered"} or (held.how in {"given", "shared"} and held.before):
             return [(before, env) for before in self.folder.flow.decisions.ways(held.before)]
         if held.how in {"given", "shared"} and (env.this or env.func.cls, held.name) in self._members:
             self.folder.cuts += 1
