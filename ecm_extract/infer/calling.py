@@ -67,10 +67,8 @@ class Calling:
         return state.having({key: self.memory.known(key, before, None) for key in keys})
 
     def _may_be_changed(self, key: str) -> bool:
-        """Whether functions that are called may change a variable that is neither the function's own nor a member."""
-        if key.startswith(".") or not self.memory.is_open(key):
-            return False
-        return not self.frame.judge.is_followed(key, self.frame.env.func)
+        """Whether functions that are called may change what is not the function's own: members that others write to."""
+        return self.memory.is_open(key) and not self.frame.judge.is_followed(key, self.frame.env)
 
     def _methods(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
         """The state after methods of the object at hand, or of objects that the function made."""
@@ -153,6 +151,8 @@ class Calling:
             known = self.frame.judge.methods.changed_by(func, env)
             state = self._anything(state) if known is None or known - changed else state
             state = self.memory.lost(state, changed)
+            for key in changed:
+                state = self.memory.of_any_field(key, state)
         return state
 
     def _at_hand(self, call: Call, env: Env) -> str | None:

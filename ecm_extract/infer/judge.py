@@ -105,8 +105,8 @@ class Judge(Targets, Protocol):
     def is_fixed(self, key: str, env: Env) -> bool:
         """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""
 
-    def is_followed(self, key: str, func: Func) -> bool:
-        """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
+    def is_followed(self, key: str, env: Env) -> bool:
+        """Tell whether it is known who changes a member, or a variable outside of functions, or a part, and when."""
 
     def runs_once(self, func: Func) -> bool:
         """Tell whether no program runs a function more than once."""

@@ -52,9 +52,9 @@ class Memory:
             held = self._seen_by_others(key, held)
         if held.length >= MAX_LENGTH:
             self.frame.judge.settle(held)
-        return self._of_any_field(key, state).having({key: (held,)})
+        return self.of_any_field(key, state).having({key: (held,)})
 
-    def _of_any_field(self, key: str, state: State) -> State:
+    def of_any_field(self, key: str, state: State) -> State:
         """The state after somebody changed the table of the fields of an object of Python: nobody knows any of them."""
         if not key.endswith(f".{ALL_FIELDS}"):
             return state
@@ -113,7 +113,7 @@ class Memory:
         if held.length >= MAX_LENGTH:
             self.frame.judge.settle(held)
         ways = (held,)
-        state = self._of_any_field(key, state)
+        state = self.of_any_field(key, state)
         if held.how == "lost":
             for name in alike:
                 state = self.parts_lost(name, state)

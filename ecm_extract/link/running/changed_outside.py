@@ -11,10 +11,12 @@ from ecm_parsers.source.expr import THIS, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import all_ways
+from ecm_extract.infer.places import as_own
+from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.running.arguments import bind
-from ecm_extract.link.running.env import Bound, Env
+from ecm_extract.link.running.env import Bound, Env, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -36,6 +38,16 @@ class ChangedOutside:
             known = self._known[name, cls] = any(found)
         return known
 
+    def is_changed_meanwhile(self, name: str, env: Env) -> bool:
+        """Tell whether who is called by the object at hand may change a member of it: it has that, or its methods."""
+        cls = env.this or env.func.cls
+        if cls is None or self.is_changed(name, cls):
+            return cls is not None
+        lineage = self.folder.program.ancestry(cls)
+        methods = {each.fact.name for entry in lineage for each in self.folder.scope.changing(name, entry)}
+        asking = (each for method in sorted(methods) for each in self._asking.get(method, ()))
+        return any(func.cls not in lineage and self._owns(func, owner, cls) for func, owner in asking)
+
     def may_be_changed(self, name: str, cls: Cls) -> bool:
         """Tell whether a function changes such a member of an object that is of a class, or of which that is open."""
         return any(self._may_own(func, owner, cls) for func, owner in self._changing.get(name, ()))
@@ -53,12 +65,20 @@ class ChangedOutside:
         return self._may_own(func, owner, cls) if known else self._is_passed(func, owner, cls)
 
     def _is_passed(self, func: Func, owner: Expr, cls: Cls) -> bool:
-        """Whether a caller hands an object of a class to a function of Python, which need not say what it gets."""
-        if not isinstance(owner, Name) or not func.file.language == cls.file.language == "python":
+        """Whether a caller hands an object of a class to a function of Python, which need not say what it gets.
+
+        It may keep it in a member, by which another method changes it.
+        """
+        if not func.file.language == cls.file.language == "python":
             return False
-        if not any(owner.id == entry.name for entry in func.fact.params):
+        if isinstance(owner, Member) and owner.base == THIS and func.cls is not None:
+            givers = self.folder.scope.changing(owner.name, func.cls)
+            kept = ((giver, entry.value) for giver in givers for entry in giver.fact.body if entry.target == owner)
+            return any(isinstance(value, Name) and self._is_passed(giver, value, cls) for giver, value in kept)
+        if not isinstance(owner, Name) or not any(owner.id == entry.name for entry in func.fact.params):
             return False
-        calls = self.folder.states.callers.all(func)
+        of = func.cls.fact.name if func.cls is not None and func.is_constructor else ""
+        calls = self._making[of] if of else self.folder.states.callers.all(func)
         given = (bind(func, call, place).get(owner.id) for call, place in calls)
         return any(bound is not None and self._is_of(bound, cls) for bound in given)
 
@@ -77,10 +97,36 @@ class ChangedOutside:
         return self.folder.objects.class_of(owner, Env(func, len(func.fact.body)))
 
     @cached_property
+    def _making(self) -> Mapping[str, Sequence[tuple[Invocation, Env]]]:
+        """Name of a class -> the calls of Python that make an object of one of that name."""
+        found: dict[str, list[tuple[Invocation, Env]]] = defaultdict(list)
+        for func in (func for func in self._functions if func.file.language == "python"):
+            for at, calls in enumerate(func.calls):
+                for call in (invocation_of(call, Env(func, at)) for call in calls):
+                    if call.last in self.folder.program.classes:
+                        found[call.last].append((call, Env(func, at)))
+        return found
+
+    @cached_property
+    def _asking(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:
+        """Name of a method -> the functions that call it on what a member of theirs has, with that member."""
+        found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
+        for func in self._functions:
+            for callee in (call.callee for calls in func.calls for call in calls):
+                key = self.folder.flow.effects(func).key(callee.base) if isinstance(callee, Member) else ""
+                if isinstance(callee, Member) and key.startswith("."):
+                    found[callee.name].append((func, as_own(key)))
+        return found
+
+    @cached_property
+    def _functions(self) -> Sequence[Func]:
+        return [func for group in self.folder.program.functions.values() for func in group]
+
+    @cached_property
     def _changing(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:
         """Name of a field -> the functions that change it, or a part of it, with the object that it lies in."""
         found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
-        for func in (func for group in self.folder.program.functions.values() for func in group):
+        for func in self._functions:
             outline = self.folder.flow.outline(func)
             for key in {*outline.changes, *outline.altered, *self._lent(func)}:
                 for owner, field in _owned(key):

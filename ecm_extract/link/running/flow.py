@@ -328,10 +328,12 @@ class Flow:
         """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""
         return self.folder.shifting.is_fixed(key, env)
 
-    def is_followed(self, key: str, func: Func) -> bool:
-        """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
-        alone = self.folder.outside.is_followed(key.partition(".")[0], func)
-        return alone or self.folder.lasting.named(key, func) is not None
+    def is_followed(self, key: str, env: Env) -> bool:
+        """Tell whether it is known who changes a member, or a variable outside of functions, or a part, and when."""
+        if key.startswith("."):
+            return not self.folder.changed_outside.is_changed_meanwhile(key.split(".")[1], env)
+        outside = self.folder.outside.is_followed(key.partition(".")[0], env.func)
+        return outside or self.folder.lasting.named(key, env.func) is not None
 
     def runs_once(self, func: Func) -> bool:
         """Tell whether no program runs a function more than once."""
