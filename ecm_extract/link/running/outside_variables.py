@@ -27,6 +27,7 @@ class OutsideVariables:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._changers: dict[Stated, Set[Func] | None] = {}
+        self._written: dict[Stated, Mapping[Func, str] | None] = {}
 
     def is_followed(self, name: str, func: Func) -> bool:
         """Tell whether nobody but one function that runs once changes a variable, and that is the function at hand."""
@@ -77,6 +78,11 @@ class OutsideVariables:
 
     def written(self, variable: Stated) -> Mapping[Func, str] | None:
         """Return the functions that name a variable, with its key there; None where it has other names as well."""
+        if variable not in self._written:
+            self._written[variable] = self._named(variable)
+        return self._written[variable]
+
+    def _named(self, variable: Stated) -> Mapping[Func, str] | None:
         means = [entry for entry in self._mentions.get(variable.constant.name, ()) if self._may_mean(*entry, variable)]
         if variable.constant.name in self._referred or any(_is_given_out(*entry, const=True) for entry in means):
             return None
