@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Set
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
@@ -30,6 +30,7 @@ class Redefined:
         self.folder = folder
         self._replaced: dict[tuple[Cls, str], bool] = {}
         self._making: dict[tuple[Func, Cls | None], bool] = {}
+        self._below: dict[Cls, Set[str]] = {}
 
     def may_be(self, callee: Func, call: Invocation, env: Env) -> bool:
         """Tell whether a call on the object at hand may run something else than the method that was found."""
@@ -48,8 +49,7 @@ class Redefined:
         if cls is None or self._binds_early(callee, env):
             return None
         concrete = env.made is not None and env.made.is_one
-        derived = () if concrete else self.folder.program.derived(cls)
-        return parameter(name, made=True) if any(_redefines(entry, name) for entry in derived) else None
+        return parameter(name, made=True) if not concrete and name in self._names_below(cls) else None
 
     def _is_of_derived(self, callee: Func, call: Invocation, env: Env) -> bool:
         """Whether another object, of which only the class is known, may be of a derived one with its own method."""
@@ -57,8 +57,7 @@ class Redefined:
         if receiver is None or is_super(receiver) or callee.cls is None or callee.fact.name in callee.cls.statics:
             return False
         cls = self.folder.objects.class_of(receiver, env)
-        derived = self.folder.program.derived(cls) if cls is not None else ()
-        if not any(_redefines(entry, callee.fact.name) for entry in derived):
+        if cls is None or callee.fact.name not in self._names_below(cls):
             return False
         if env.func.file.language == "cpp":
             is_value = by_value(self.folder.objects.type_of(receiver, env))
@@ -84,7 +83,7 @@ class Redefined:
         exact = env.made is not None and env.made.is_one and env.made.cls is cls
         if cls.file.language != "python" or exact:
             return False
-        return any(_redefines(entry, name) for entry in self.folder.program.derived(cls))
+        return name in self._names_below(cls)
 
     def open_call(self, expr: Expr | None, env: Env) -> str:
         """Return the name of the method that an expression calls, or of the attribute, where another may be meant."""
@@ -96,6 +95,14 @@ class Redefined:
         callee = self.folder.returns.meant(call, env) if call is not None else None
         return callee.fact.name if call is not None and callee is not None and self.may_be(callee, call, env) else ""
 
+    def _names_below(self, cls: Cls) -> Set[str]:
+        """The names that classes which derive from one have something of their own by."""
+        known = self._below.get(cls)
+        if known is None:
+            derived = self.folder.program.derived(cls)
+            known = self._below[cls] = frozenset(name for entry in derived for name in _own_names(entry))
+        return known
+
     def _binds_early(self, callee: Func, env: Env) -> bool:
         """Whether a call of C++ has the method of the class that writes it: [class.virtual], [class.cdtor]."""
         if env.func.file.language != "cpp":
@@ -106,7 +113,7 @@ class Redefined:
         """Whether a constructor of a base of C++, whose object is not yet of the derived class, may call a method."""
         lineage = self.folder.program.ancestry(callee.cls)[1:] if callee.cls is not None else ()
         static = env.func.cls
-        if self._binds_early(callee, env) or static not in lineage or env.func.file.language != "cpp":
+        if static not in lineage or env.func.file.language != "cpp" or self._binds_early(callee, env):
             return False
         known = self._making.get((env.func, callee.cls))
         if known is None:
@@ -155,7 +162,7 @@ def _names_class(target: Expr | None, names: Collection[str]) -> bool:
     return named in names or (isinstance(base, Call) and base.callee == Name("type"))
 
 
-def _redefines(cls: Cls, name: str) -> bool:
-    """Whether a derived class has something of its own by the name of a method: of Python an attribute, too."""
-    assigned = name in cls.fields and cls.fields[name].default is not None
-    return assigned or any(each.fact.name == name for each in cls.methods)
+def _own_names(cls: Cls) -> Iterator[str]:
+    """The names of what a class has of its own in the place of a method of its base: of Python attributes, too."""
+    yield from (method.fact.name for method in cls.methods)
+    yield from (name for name, field in cls.fields.items() if field.default is not None)
