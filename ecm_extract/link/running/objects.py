@@ -41,6 +41,7 @@ class Objects:
         self.scope = scope
         self.file_scope = FileScope(program, scope)
         self._callees: dict[Hashable, Sequence[Func]] = {}
+        self._classes: dict[tuple[str, Func, Cls | None], Cls | None] = {}
 
     # --- types -----------------------------------------------------------------------------------------
 
@@ -52,6 +53,12 @@ class Objects:
 
     def class_written(self, written: str, env: Env) -> Cls | None:
         """Return the class in the tree that a type as written means, through pointers and aliases of them."""
+        asked = (written, env.func, env.this)
+        if asked not in self._classes:
+            self._classes[asked] = self._class_meant(written, env)
+        return self._classes[asked]
+
+    def _class_meant(self, written: str, env: Env) -> Cls | None:
         for _ in range(3):
             name = plain(pointee(written))
             found = self.program.class_named(name, env.func.file, env.scope) if name else None
@@ -244,9 +251,8 @@ class Objects:
         """Return the constructor that takes `count` arguments best; a class without any has that of its base."""
         lineage = ([each for each in owner.methods if each.is_constructor] for owner in self.program.ancestry(cls))
         makers = [func for func in next(filter(None, lineage), ()) if "deleted" not in func.fact.traits]
-        fitting = [func for func in makers if len(func.params) >= count]
-        defined = sorted(fitting or makers, key=lambda f: ("declaration" in f.fact.traits, abs(len(f.params) - count)))
-        return min(defined, key=lambda f: abs(len(f.params) - count), default=None)
+        fitting = [func for func in makers if len(func.params) >= count] or makers
+        return min(fitting, key=lambda f: (abs(len(f.params) - count), "declaration" in f.fact.traits), default=None)
 
     # --- functions -------------------------------------------------------------------------------------
 
@@ -328,10 +334,7 @@ def _calls_super(call: Call, parent: Cls) -> bool:
     callee = call.callee
     if not isinstance(callee, Member) or callee.name != "__init__":
         return False
-    base = callee.base
-    if isinstance(base, Call) and isinstance(base.callee, Name) and base.callee.id == "super":
-        return True
-    return last_name(dotted_name(base)) == parent.fact.name
+    return is_super(callee.base) or last_name(dotted_name(callee.base)) == parent.fact.name
 
 
 def _base_call(func: Func, parent: Cls) -> Invocation | None:
