@@ -86,18 +86,16 @@ class MethodEffects:
         """Return the variable of an object that the function has; None for other calls."""
         effects = self.folder.flow.effects(env.func)
         key = effects.key(call.receiver)
-        if not key or self._is_made(call, env):
-            return key or None
-        own = env.func.file.language == "cpp" and key in effects.own and key not in self._params(env.func)
-        known = call.receiver is not None and self.folder.objects.class_of(call.receiver, env) is not None
-        return key if own and known else None
+        if not key or call.receiver is None:
+            return None
+        own = env.func.file.language == "cpp" and key in effects.own and key not in env.func.given
+        if own and self.folder.objects.class_of(call.receiver, env) is not None:
+            return key
+        return key if self._is_made(call, env) else None
 
     def _is_made(self, call: Invocation, env: Env) -> bool:
         """Whether it is known how an object was made that a method is called on, and that nobody else has it."""
         return call.receiver is not None and self.folder.states.instance(call.receiver, env) is not None
-
-    def _params(self, func: Func) -> Set[str]:
-        return frozenset(parameter.name for parameter in func.fact.params)
 
     def calls_own(self, func: Func) -> bool:
         """Tell whether a function may call methods of the object at hand."""
