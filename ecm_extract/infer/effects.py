@@ -142,7 +142,8 @@ class Effects:
 
     def key(self, expr: Expr | None) -> str:
         """Return the key of the variable that an expression is, empty for none."""
-        return key_of(self.reached(expr), self.own, self.is_member)
+        meant = expr if isinstance(expr, Name) else self.reached(expr)
+        return key_of(meant, self.own, self.is_member)
 
     def reached(self, expr: Expr | None) -> Expr | None:
         """Return what is reached by it: `box.topic` for `box.inner()`, `box.topic.name` for `box.inner().name`."""
