@@ -59,6 +59,7 @@ from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.folding.typed_numbers import TypedNumbers
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.changed_meanwhile import ChangedMeanwhile
 from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.faults import Faults
@@ -173,6 +174,7 @@ class Folder:
         self.parts = PartObjects(self)
         self.makers = ObjectMakers(self)
         self.changed_outside = ChangedOutside(self)
+        self.changed_meanwhile = ChangedMeanwhile(self)
         self.given_fields = GivenFields(self)
         self.first_methods = FirstMethods(self)
         self.object_fields = ObjectFields(self)

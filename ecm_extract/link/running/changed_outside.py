@@ -11,7 +11,6 @@ from ecm_parsers.source.expr import THIS, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import all_ways
-from ecm_extract.infer.places import as_own
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
@@ -34,19 +33,12 @@ class ChangedOutside:
         known = self._known.get((name, cls))
         if known is None:
             self._known[name, cls] = False  # who asks in a circle
-            found = (self._owns(func, owner, cls) for func, owner in self._changing.get(name, ()))
-            known = self._known[name, cls] = any(found)
+            known = self._known[name, cls] = any(True for _ in self.changing(name, cls))
         return known
 
-    def is_changed_meanwhile(self, name: str, env: Env) -> bool:
-        """Tell whether who is called by the object at hand may change a member of it: it has that, or its methods."""
-        cls = env.this or env.func.cls
-        if cls is None or self.is_changed(name, cls):
-            return cls is not None
-        lineage = self.folder.program.ancestry(cls)
-        methods = {each.fact.name for entry in lineage for each in self.folder.scope.changing(name, entry)}
-        asking = (each for method in sorted(methods) for each in self._asking.get(method, ()))
-        return any(func.cls not in lineage and self._owns(func, owner, cls) for func, owner in asking)
+    def changing(self, name: str, cls: Cls) -> Iterator[Func]:
+        """Yield the functions that change a member, or a part of it, of another object of a class, or may do it."""
+        return (func for func, owner in self._changing.get(name, ()) if self.owns(func, owner, cls))
 
     def may_be_changed(self, name: str, cls: Cls) -> bool:
         """Tell whether a function changes such a member of an object that is of a class, or of which that is open."""
@@ -59,7 +51,7 @@ class ChangedOutside:
         ways = self.folder.flow.ways(expr.base, env)
         return any(held.how in {"out", "lost"} for way in ways for held in all_ways(way))
 
-    def _owns(self, func: Func, owner: Expr, cls: Cls) -> bool:
+    def owns(self, func: Func, owner: Expr, cls: Cls) -> bool:
         """Whether an object that a function changes is of a class, or of one that derives from it."""
         known = self._class_of(func, owner) is not None
         return self._may_own(func, owner, cls) if known else self._is_passed(func, owner, cls)
@@ -100,7 +92,7 @@ class ChangedOutside:
     def _making(self) -> Mapping[str, Sequence[tuple[Invocation, Env]]]:
         """Name of a class -> the calls of Python that make an object of one of that name."""
         found: dict[str, list[tuple[Invocation, Env]]] = defaultdict(list)
-        for func in (func for func in self._functions if func.file.language == "python"):
+        for func in (func for func in self.functions if func.file.language == "python"):
             for at, calls in enumerate(func.calls):
                 for call in (invocation_of(call, Env(func, at)) for call in calls):
                     if call.last in self.folder.program.classes:
@@ -108,25 +100,15 @@ class ChangedOutside:
         return found
 
     @cached_property
-    def _asking(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:
-        """Name of a method -> the functions that call it on what a member of theirs has, with that member."""
-        found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
-        for func in self._functions:
-            for callee in (call.callee for calls in func.calls for call in calls):
-                key = self.folder.flow.effects(func).key(callee.base) if isinstance(callee, Member) else ""
-                if isinstance(callee, Member) and key.startswith("."):
-                    found[callee.name].append((func, as_own(key)))
-        return found
-
-    @cached_property
-    def _functions(self) -> Sequence[Func]:
+    def functions(self) -> Sequence[Func]:
+        """All functions of the program."""
         return [func for group in self.folder.program.functions.values() for func in group]
 
     @cached_property
     def _changing(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:
         """Name of a field -> the functions that change it, or a part of it, with the object that it lies in."""
         found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
-        for func in self._functions:
+        for func in self.functions:
             outline = self.folder.flow.outline(func)
             for key in {*outline.changes, *outline.altered, *self._lent(func)}:
                 for owner, field in _owned(key):

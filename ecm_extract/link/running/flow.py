@@ -331,7 +331,7 @@ class Flow:
     def is_followed(self, key: str, env: Env) -> bool:
         """Tell whether it is known who changes a member, or a variable outside of functions, or a part, and when."""
         if key.startswith("."):
-            return not self.folder.changed_outside.is_changed_meanwhile(key.split(".")[1], env)
+            return not self.folder.changed_meanwhile.is_changed(key.split(".")[1], env)
         outside = self.folder.outside.is_followed(key.partition(".")[0], env.func)
         return outside or self.folder.lasting.named(key, env.func) is not None
 
