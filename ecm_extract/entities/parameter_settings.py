@@ -109,5 +109,5 @@ def _parameter_files(actions: Iterable[Action]) -> Iterator[ParameterFile]:
         elif isinstance(action, Group):
             yield from _parameter_files(action.actions)
         elif isinstance(action, Node):
-            yield from (each for each in action.parameters if isinstance(each, ParameterFile))
+            yield from (each for each in action.sources if isinstance(each, ParameterFile))
             yield from _parameter_files(action.components)

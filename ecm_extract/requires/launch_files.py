@@ -168,7 +168,7 @@ def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:
     if plugin:
         yield required("loads_plugin", plugin, place)
     yield from _names(action, place)
-    for part in (*action.remaps, *action.parameters):
+    for part in (*action.remaps, *action.sources):
         inner = scope.inside(part.condition)
         for each in _of_part(action, part, scope) if inner is not None else ():
             yield inner.under(each) if inner is not None else each

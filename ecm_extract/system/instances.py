@@ -63,6 +63,8 @@ class InstanceMaker:
             yield from self.settings.ros2((*scope.parameters, *node.parameters), made.namespace)
             return
         own = join(made.namespace, made.name or "~")
+        for source in node.loaded:  # roslaunch loads YAML when it meets it, and adds the values of a node at its end
+            yield from self.settings.ros1(source, own, in_node=True)
         yield from (Setting(join(own, each.name.lstrip("/")), each.value, each.place) for each in scope.private)
         for source in node.parameters:
             yield from self.settings.ros1(source, own, in_node=True)

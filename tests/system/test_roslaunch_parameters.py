@@ -85,6 +85,15 @@ def parameters(folder: Path, body: str) -> dict[str, Any]:
             {"/g/n/rate": 5},
         ),
         (f'{NODE}<param name="~rate" value="5"/>', {}),
+        ('<node pkg="p" type="t" name="n"><param name="a" value="1"/><rosparam>a: 2</rosparam></node>', {"/n/a": 1}),
+        (
+            '<param name="~a" value="1"/><node pkg="p" type="t" name="n"><rosparam>{a: 2, b: 3}</rosparam></node>',
+            {"/n/a": 1, "/n/b": 3},
+        ),
+        (
+            '<param name="~a" value="1"/><node pkg="p" type="t" name="n"><param name="a" value="2"/></node>',
+            {"/n/a": 2},
+        ),
         ('<test test-name="check" pkg="p" type="t"><param name="limit" value="2"/></test>', {"/check/limit": 2}),
         (
             '<test test-name="check" name="node" ns="g" pkg="p" type="t"><rosparam>a: 1</rosparam></test>',
@@ -95,7 +104,7 @@ def parameters(folder: Path, body: str) -> dict[str, Any]:
     ],
 )
 def test_what_roslaunch_sets(body: str, expected: dict[str, Any], tmp_path: Path) -> None:
-    """Arguments have conditions, `~` is every later node's, tests have parameters, comments part no text."""
+    """Arguments have conditions, `~` is every later node's, YAML of a node comes first, tests have parameters, comments part no text."""
     assert parameters(tmp_path, body) == expected
 
 

@@ -151,6 +151,7 @@ class Node(_Action, frozen=True, kw_only=True):
         plugin: class of a component or nodelet.
         name, namespace: given ones; None keeps the program's own.
         remaps: (from, to). parameters: in the order in which they apply.
+        loaded: what `<rosparam>` sets in a node of ROS 1, which applies before everything else.
         arguments: words of its command line.
         target: name of the container that loads the component; None when it stands in one.
         components: what a container loads. respawn: whether it is started again.
@@ -165,11 +166,17 @@ class Node(_Action, frozen=True, kw_only=True):
     namespace: Template | None = None
     remaps: tuple[Remap, ...] = ()
     parameters: tuple[ParameterSource, ...] = ()
+    loaded: tuple[ParameterSource, ...] = ()
     arguments: tuple[Template, ...] = ()
     target: Template | None = None
     components: tuple[Node, ...] = ()
     respawn: Template | None = None
     required: Template | None = None
+
+    @property
+    def sources(self) -> tuple[ParameterSource, ...]:
+        """Everything that sets its parameters."""
+        return (*self.loaded, *self.parameters)
 
 
 class Include(_Action, frozen=True, kw_only=True):

@@ -5,7 +5,7 @@ Source: wiki.ros.org/roslaunch/XML; nodelets by wiki.ros.org/nodelet (`load`, `s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from types import MappingProxyType
 
 from ecm_parsers.launch.entity import Entity
@@ -70,9 +70,9 @@ class Ros1Reader:
 
     def actions(self, parent: Entity) -> tuple[Action, ...]:
         """Return the actions below an element, in order."""
-        return tuple(self._read(parent))
+        return tuple(action for _, action in self._read(parent))
 
-    def _read(self, parent: Entity) -> Iterator[Action]:
+    def _read(self, parent: Entity) -> Iterator[tuple[str, Action]]:
         for entity in parent.children:
             reader = self._readers.get(entity.tag)
             if reader is None:
@@ -81,7 +81,7 @@ class Ros1Reader:
                 continue
             action = reader(entity)
             if action is not None:
-                yield action
+                yield entity.tag, action
 
     def _needs(self, entity: Entity, *names: str) -> bool:
         missing = next((name for name in names if not entity.get(name)), None)
@@ -160,7 +160,7 @@ class Ros1Reader:
     def _node(self, entity: Entity) -> Node | None:
         if not self._needs(entity, "pkg", "type"):
             return None
-        inner = self.actions(entity)
+        inner = tuple(self._read(entity))
         node = Node(
             line=entity.line,
             condition=condition(entity),
@@ -169,8 +169,9 @@ class Ros1Reader:
             executable=template(entity, "type"),
             name=optional(entity, "name"),
             namespace=optional(entity, "ns"),
-            remaps=tuple(action for action in inner if isinstance(action, Remap)),
-            parameters=tuple(action for action in inner if isinstance(action, ParameterValue | ParameterFile)),
+            remaps=tuple(action for _, action in inner if isinstance(action, Remap)),
+            parameters=_sources(each for tag, each in inner if tag == "param"),
+            loaded=_sources(each for tag, each in inner if tag == "rosparam"),
             arguments=words(entity.get("args")),
             respawn=optional(entity, "respawn"),
             required=optional(entity, "required"),
@@ -180,10 +181,14 @@ class Ros1Reader:
     def _test(self, entity: Entity) -> Group:
         """A test is started by rostest only; its parameters are set all the same, below its name."""
         name = template(entity, "name", "test-name")
-        inner = tuple(each for each in self.actions(entity) if isinstance(each, ParameterValue | ParameterFile))
+        inner = _sources(self.actions(entity))
         below = PushNamespace(line=entity.line, namespace=name)
         actions = _below(entity, (below, *inner)) if inner else ()
         return Group(line=entity.line, condition=condition(entity), actions=actions)
+
+
+def _sources(actions: Iterable[Action]) -> tuple[ParameterSource, ...]:
+    return tuple(action for action in actions if isinstance(action, ParameterValue | ParameterFile))
 
 
 def nodelet(node: Node) -> Node:

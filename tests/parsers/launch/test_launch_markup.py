@@ -78,7 +78,8 @@ def test_ros1_node() -> None:
         '<param name="rate" value="5"/><rosparam>k: 1</rosparam><rosparam command="load" file="f.yaml"/>'
         '<remap from="a" to="b"/></node>'
     )
-    assert [type(entry) for entry in found.parameters] == [ParameterValue, ParameterValue, ParameterFile]
+    assert [type(entry) for entry in found.parameters] == [ParameterValue]
+    assert [type(entry) for entry in found.loaded] == [ParameterValue, ParameterFile]
     assert [(entry.source, entry.target) for entry in found.remaps] == [(("a",), ("b",))]
     assert (found.namespace, found.respawn) == (("a",), ("true",))
     assert [len(word) for word in found.arguments] == [1, 1, 1]
