@@ -27,6 +27,8 @@ ROWS = [
     ('if (!pnh_.getParam("p", text_)) { ROS_WARN("unset"); text_ = "map"; }', "string", "map"),
     ('if (pnh_.getParam("p", plain_) == false) { plain_ = 6; }', "integer", 6),
     ('if (!pnh_.getParam("p", wide_)) wide_ = 1;', "double", 1),
+    ('if (!ros::param::getCached("~p", wide_)) wide_ = 1;', "double", 1),
+    ('int cached = 4; ros::param::getCached("~p", cached);', "integer", 4),
     ('double rate = 0.5; pnh_.getParam("p", rate);', "double", 0.5),
     ('pnh_.getParam("p", member_);', "integer", 2),
     ('pnh_.getParam("p", initialised_);', "integer", 3),

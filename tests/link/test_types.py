@@ -64,6 +64,14 @@ def test_a_message_in_lower_case_is_told_by_its_header(workspace: Any, kind: str
     assert workspace.package({"src/d.cpp": text}, ros=1).only("subscriber").type == expected
 
 
+def test_a_message_in_lower_case_that_a_template_is_given_is_told_by_the_header_of_who_gives_it(workspace: Any) -> None:
+    """The class of the template stands in a header of its own, which includes no message."""
+    header = "template <class M> class Out { public: Out(const std::string & name) { ros::NodeHandle nh; pub_ = nh.advertise<M>(name, 1); } ros::Publisher pub_; };"
+    text = '#include "out.hpp"\n#include <pkg_msgs/cloud_info.h>\nint main(int c, char ** v) { Out<pkg_msgs::cloud_info> out("x"); }'
+    files = {"src/out.hpp": header, "src/d.cpp": text}
+    assert workspace.package(files, ros=1).only("publisher").type == "pkg_msgs/msg/cloud_info"
+
+
 @pytest.mark.parametrize(("kind", "expected"), [("std::string", "string"), ("int", "integer"), ("Thing", None)])
 def test_a_parameter_has_the_type_of_what_it_is_read_into(workspace: Any, kind: str, expected: str | None) -> None:
     """`declare_parameter("port")` says no type, `get_parameter("port", port)` after it does."""

@@ -99,7 +99,7 @@ class ListFolder:
             )
             if not any(value.confidence == "pattern" for value in text):
                 return text
-        rest = self.open.element(expr, env)
+        rest = self.open.element(expr, env) if items is not None else self.open.taken(expr, data, env)
         if isinstance(data, str) and env.func.file.language == "python":  # a list has no such index
             others = not isinstance(expr, Name | Member) or self.is_others(expr, env)
             return self.folder.tables.entry_of_any([] if others else self._ways(expr, env), index, env, rest)

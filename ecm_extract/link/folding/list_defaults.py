@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
+from ecm_extract.infer.compute import UNKNOWN
+from ecm_extract.link.folding.subscripts import part_of
 from ecm_extract.link.running.env import Bound, Env, invocation_of
-from ecm_extract.link.running.values import Value, lowered, set_by
+from ecm_extract.link.running.values import Value, alternatives, lowered, set_by
 from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
-_UNWRAPPING: Final = shipped_names("link/code/library_values.toml", "parameter_values")
+_VALUES = "link/code/library_values.toml"
+_UNWRAPPING: Final = shipped_names(_VALUES, "parameter_values") | shipped_names(_VALUES, "parameter_texts")
 
 _CHANGED: Final = frozenset({"changed", "stored", "out", "handed", "reached", "after", "lost"})
 """What becomes of a list that is not, or need not be, what it was read as."""
@@ -26,6 +30,13 @@ class Read(NamedTuple):
     default: Bound | None
 
 
+class Default(NamedTuple):
+    """The parameter that a list is, and what it is as long as nobody sets that."""
+
+    name: str
+    read: Bound
+
+
 class ListDefaults:
     """Finds the list that a parameter is by default."""
 
@@ -34,15 +45,35 @@ class ListDefaults:
 
     def elements(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the elements of the default of the parameter that a list is; none where not all are known."""
+        default = self._default(expr, env)
+        return self._told(default, self._folded(default, env)) if default is not None else ()
+
+    def element(self, expr: Expr | None, env: Env, at: object) -> tuple[Value, ...]:
+        """Return what an element is by default, one of all of them at an index that is not known; none of a table."""
+        default = self._default(expr, env)
+        if default is None or self.folder.tables.entries(default.read.expr, default.read.env) is not None:
+            return ()
+        values = self._folded(default, env)
+        if at is UNKNOWN:
+            return alternatives(self._told(default, values))
+        chosen = part_of(values, at) if isinstance(at, int) else UNKNOWN
+        return self._told(default, [chosen]) if isinstance(chosen, tuple) else ()
+
+    def _default(self, expr: Expr | None, env: Env) -> Default | None:
         read = self._read(expr, env) if expr is not None else None
         if read is None or self.folder.reads.is_given_instead(read.name, self.folder.parameters.owners(env)):
-            return ()
+            return None
         default = self._declared(read.name, env) or read.default
-        if default is None:
-            return ()
-        items = self.folder.lists.items(default.expr, default.env.deeper(env.depth + 1)) or ()
-        values = [value for item in items for value in self.folder.lists.fold(item, env)]
-        return set_by(read.name, lowered(values, "default")) if all(value.text for value in values) else ()
+        return Default(read.name, default) if default is not None else None
+
+    def _folded(self, default: Default, env: Env) -> list[tuple[Value, ...]]:
+        """What each element may be; nothing where not all are known."""
+        items = self.folder.lists.items(default.read.expr, default.read.env.deeper(env.depth + 1)) or ()
+        values = [self.folder.lists.fold(item, env) for item in items]
+        return values if all(value.text for each in values for value in each) else []
+
+    def _told(self, default: Default, chosen: Sequence[tuple[Value, ...]]) -> tuple[Value, ...]:
+        return set_by(default.name, lowered([value for each in chosen for value in each], "default"))
 
     def _declared(self, name: str, env: Env) -> Bound | None:
         """The default that the class or the file at hand declares."""
@@ -51,7 +82,7 @@ class ListDefaults:
 
     def _read(self, expr: Expr, env: Env) -> Read | None:
         """The parameter that a list is: what a variable is read into and nobody changed, or what one call gives."""
-        if any(held.how in _CHANGED for way in self.folder.flow.ways(expr, env) for held in way):
+        if self._is_changed(expr, env):
             return None
         names = {value.parameter for value in self.folder.fold(expr, env) if value.parameter}
         made = self.folder.origins.makers(expr, env) if isinstance(expr, Name | Member) else [Bound(expr, env)]
@@ -59,6 +90,14 @@ class ListDefaults:
         if found is not None or len(names) != 1:
             return found
         return Read(names.pop(), None)
+
+    def _is_changed(self, expr: Expr, env: Env) -> bool:
+        """Whether the function at hand changes a list, or others may that run before or beside it."""
+        ways = self.folder.flow.ways(expr, env)
+        if ways or not isinstance(expr, Name | Member):
+            return any(held.how in _CHANGED for way in ways for held in way)
+        lasting = {held.how for held, _ in self.folder.lists.sources(expr, env)} - {"lost"}  # a read need not set it
+        return not lasting.isdisjoint(_CHANGED) or self.folder.lists.is_others(expr, env)
 
     def _of_call(self, made: Bound) -> Read | None:
         call: Expr = made.expr

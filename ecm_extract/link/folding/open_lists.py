@@ -38,6 +38,10 @@ class OpenLists:
         set_by_launch = tuple([value for name in names for value in set_by(name, (item,))])
         return set_by_launch or (self._left_open(expr, env) or item,)
 
+    def taken(self, expr: Expr | None, at: object, env: Env) -> tuple[Value, ...]:
+        """Return what the element at an index is: that of a parameter's default, as long as nobody sets it."""
+        return self.folder.list_defaults.element(expr, env, at) or self.element(expr, env)
+
     def _redefined(self, expr: Expr | None, env: Env) -> str:
         """The method that gives the list, or the table of `table.items()`, where derived classes may have their own."""
         of_table = isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name in _OF_TABLES

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from ecm_checker.hub.roles import Role, roles
 from ecm_checker.match.generated import snake
@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 
 from ecm_extract.link.code.calls import Invocation, placed_arguments, unseen_argument
 from ecm_extract.link.code.spelling import plain, pointee, template_arguments
-from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.interfaces.adapters import Adapters
 from ecm_extract.link.interfaces.python_types import PythonTypes
@@ -177,7 +177,8 @@ class Types:
         if not name[:1].islower() or "::" in name or not kind:
             return None
         header = f"{package}/{name}.h"
-        files = (env.func.file, *self.program.included(env.func.file))
+        near = {env.func.file, *_callers(env)}
+        files = (*near, *(file for each in near for file in self.program.included(each)))
         included = any(entry.module == header for file in files for entry in file.facts.imports)
         return f"{package}/{kind}/{name}" if included else None
 
@@ -255,6 +256,12 @@ class Types:
         methods = [func for func in candidates if func.cls in lineage]
         near = [func for func in candidates if func.file is env.func.file]
         return [*methods, *near, *self.program.functions_named(name, env.func.file, env.scope)]
+
+
+def _callers(env: Env) -> Iterable[File]:
+    """Files in which arguments stand: what a template is given is written there."""
+    made = env.made.args.values() if env.made is not None else ()
+    return (bound.env.func.file for bound in (*env.args.values(), *made))
 
 
 def _is_template(text: str) -> bool:
