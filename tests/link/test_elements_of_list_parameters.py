@@ -29,7 +29,7 @@ ROWS = [
     ("by index", DECLARED, "", ONE.format("topics_[0]"), {"/a": "default"}),
     ("at", DECLARED, "", ONE.format("topics_.at(1)"), {"/b": "default"}),
     ("beyond the default", DECLARED, "", ONE.format("topics_[2]"), {"/{item}": "pattern"}),
-    ("any", DECLARED, "", ONE.format("topics_[which()]"), {"/a": "one_of", "/b": "one_of"}),
+    ("any", DECLARED, "", ONE.format("topics_[which()]"), {"/{item}": "pattern"}),
     ("each of what is read", READ, "", EACH, {"/a": "default", "/b": "default"}),
     ("each, filled elsewhere", DECLARED, 'topics_.push_back("/c");', EACH, {"/{item}": "pattern"}),
     ("each, changed elsewhere", DECLARED, "topics_[0] = other();", EACH, {"/{item}": "pattern"}),

@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
-from ecm_extract.infer.compute import UNKNOWN
 from ecm_extract.link.folding.subscripts import part_of
 from ecm_extract.link.running.env import Bound, Env, invocation_of
-from ecm_extract.link.running.values import Value, alternatives, lowered, set_by
+from ecm_extract.link.running.values import Value, lowered, set_by
 from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
@@ -49,14 +48,11 @@ class ListDefaults:
         return self._told(default, self._folded(default, env)) if default is not None else ()
 
     def element(self, expr: Expr | None, env: Env, at: object) -> tuple[Value, ...]:
-        """Return what an element is by default, one of all of them at an index that is not known; none of a table."""
-        default = self._default(expr, env)
+        """Return what the element at an index is by default; none of a table, nor at an index that is not known."""
+        default = self._default(expr, env) if isinstance(at, int) else None
         if default is None or self.folder.tables.entries(default.read.expr, default.read.env) is not None:
             return ()
-        values = self._folded(default, env)
-        if at is UNKNOWN:
-            return alternatives(self._told(default, values))
-        chosen = part_of(values, at) if isinstance(at, int) else UNKNOWN
+        chosen = part_of(self._folded(default, env), at) if isinstance(at, int) else None
         return self._told(default, [chosen]) if isinstance(chosen, tuple) else ()
 
     def _default(self, expr: Expr | None, env: Env) -> Default | None:
