@@ -10,7 +10,7 @@ from ecm_checker.hub.package import Hub, encode_hub
 
 from ecm_extract.assemble.contracts import assemble
 from ecm_extract.assemble.hub import hubs
-from ecm_extract.collector import without_collector
+from ecm_extract.collector import rare_collector, without_collector
 from ecm_extract.config import Config
 from ecm_extract.entities.workspace import Workspace
 from ecm_extract.extraction_model import (
@@ -50,11 +50,12 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         packages = reader.read(options.jobs, options.progress)
         read_with_header_macros(packages, tree, config.headers)
         forms = form_table(config.forms)
-        linker = Linker(packages, forms)
-        linker.declare()
-        work = partial(source_requirements, linker.program, linker.folder.objects)
-        of_sources = meanwhile(work, options.jobs) if options.hub else work
-        linked = linker.attributed()
+        with rare_collector():
+            linker = Linker(packages, forms)
+            linker.declare()
+            work = partial(source_requirements, linker.program, linker.folder.objects)
+            of_sources = meanwhile(work, options.jobs) if options.hub else work
+            linked = linker.attributed()
         linker.tell(tree)
         report_undecided(packages, tree, forms.keys() | linker.helpers)
         contracts = assemble(tree, packages, linked)

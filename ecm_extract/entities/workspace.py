@@ -8,7 +8,7 @@ from functools import partial
 from ecm_parsers.interface_facts import Definition
 from ecm_parsers.source.facts import SourceFile
 
-from ecm_extract.collector import without_collector
+from ecm_extract.collector import rare_collector, without_collector
 from ecm_extract.entities.collect import public_entities
 from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.listed import listed
@@ -82,7 +82,7 @@ def read_packages(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -
 
 def link_packages(read: PackagesRead) -> Workspace:
     """Link what was read."""
-    with without_collector():
+    with rare_collector():
         linker = Linker(read.packages, read.forms)
         workspace = Workspace(read.tree, read.packages, linker.link(), linker.program, linker.folder.objects)
         linker.tell(read.tree)

@@ -15,7 +15,7 @@ from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.robot_names import is_whole_robot
 
 from ecm_extract.assemble.contracts import assemble
-from ecm_extract.collector import without_collector
+from ecm_extract.collector import rare_collector, without_collector
 from ecm_extract.description.model import Description
 from ecm_extract.description.read import read_description
 from ecm_extract.entities.workspace import PackagesRead, read_packages
@@ -69,7 +69,7 @@ class Workspace:
         self.config = config = config_of(tree, options)
         self._read = found = read or read_packages(tree, options, {})
         self.packages = found.packages
-        with without_collector():
+        with rare_collector():
             self.linker = Linker(found.packages, found.forms)
             self.linked = self.linker.link()
             self.linker.tell(tree)

@@ -32,8 +32,8 @@ class Decisions:
         self._truths = truths
         self._deciding: dict[Fork, None] = {}
         self._meanwhile: dict[Fork, Verdict] = {}
-        self._live = Leading("live", lambda fork, holds: self.of(fork).holds is not (not holds))
-        self._likely = Leading("likely", lambda fork, holds: self.of(fork).likely is not (not holds))
+        self._live = Leading("live", lambda fork, holds: self.of(fork).holds is not (not holds), self._is_decided)
+        self._likely = Leading("likely", lambda fork, holds: self.of(fork).likely is not (not holds), self._is_decided)
         self._taken = Ways(folder, "taken", self._live_parts)
         self._expected = Ways(folder, "expected", self._likely_parts)
 
@@ -78,6 +78,12 @@ class Decisions:
     def answered(self) -> None:
         """Forget what held only within a question."""
         self._meanwhile.clear()
+        self._live.answered()
+        self._likely.answered()
+
+    def _is_decided(self, fork: Fork) -> bool:
+        """Whether what a branch asks is decided, if only until the question at hand is answered."""
+        return fork.found is not None or fork in self._meanwhile
 
     def _may_decide(self, fork: Fork) -> bool:
         """Whether a branch is neither asked for by itself, nor deeper than is followed."""

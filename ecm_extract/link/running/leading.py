@@ -1,4 +1,4 @@
-"""Whether a run comes along a route: as few branches are decided as tell, and what is found for good is kept."""
+"""Whether a run comes along a route: as few branches are decided as tell, and what is found is kept."""
 
 from __future__ import annotations
 
@@ -11,18 +11,33 @@ from ecm_extract.infer.routes import START, Fork, Route
 class Leading:
     """Tells whether runs come along routes, by one reading of what decides branches."""
 
-    def __init__(self, reading: Literal["live", "likely"], passes: Callable[[Fork, bool], bool]) -> None:
-        """Take where routes keep the answer, and what tells whether one side of a branch may be taken."""
+    def __init__(
+        self,
+        reading: Literal["live", "likely"],
+        passes: Callable[[Fork, bool], bool],
+        is_decided: Callable[[Fork], bool],
+    ) -> None:
+        """Take where routes keep the answer, what tells whether one side may be taken, and whether that stays so.
+
+        What stays so only as long as a question is answered is kept until then (see `answered`).
+        """
         self._reading = reading
         self._passes = passes
+        self._is_decided = is_decided
+        self._meanwhile: dict[Route, bool] = {}
+
+    def answered(self) -> None:
+        """Forget what held only within a question."""
+        self._meanwhile.clear()
 
     def leads(self, route: Route, since: Route) -> bool:
         """Tell whether a run may come along a route from a place on it that it came by; none of it recurses."""
+        is_whole = since is START or self._kept(since) is True  # whoever comes by there comes from the beginning
         known = {since: True}
         pending = [route]
         while pending:
             at = pending[-1]
-            found = known[at] if at in known else self._found(at, known, since is START)
+            found = known[at] if at in known else self._found(at, known, is_whole)
             if found is None:
                 pending.append(next(before for before in at.before if before not in known))
             else:
@@ -31,22 +46,41 @@ class Leading:
 
     def _found(self, at: Route, known: Mapping[Route, bool], is_whole: bool) -> bool | None:
         """Whether a run comes to a place, by what is known of the places before it; None where that does not tell."""
-        kept: bool | None = getattr(at, self._reading) if is_whole else None
+        kept = self._kept(at) if is_whole else None
         if kept is not None:
             return kept
-        leading = next((before for before in at.before if known.get(before)), None)
+        leading = None
+        for before in at.before:
+            found = known.get(before)
+            if found:
+                leading = before
+                break
         if leading is None:
             return None if any(before not in known for before in at.before) else self._never(at, is_whole)
-        found = at.gate is None or self._passes(at.gate, at.holds)
-        if is_whole and (at.gate is None or at.gate.found is not None) and self._is_kept(leading):
+        passed = at.gate is None or self._passes(at.gate, at.holds)
+        if is_whole:
+            self._keep(at, passed, leading)
+        return passed
+
+    def _keep(self, at: Route, found: bool, leading: Route) -> None:
+        """Keep whether a run comes to a place that it comes to from another one."""
+        gate = at.gate
+        if (gate is None or gate.found is not None) and self._is_for_good(leading):
             setattr(at, self._reading, found)
-        return found
+        elif (gate is None or self._is_decided(gate)) and self._kept(leading) is not None:
+            self._meanwhile[at] = found
 
     def _never(self, at: Route, is_whole: bool) -> bool:
         """No run comes to a place where none comes to any place before it."""
-        if is_whole and all(map(self._is_kept, at.before)):
+        if is_whole and all(map(self._is_for_good, at.before)):
             setattr(at, self._reading, False)
+        elif is_whole and all(self._kept(before) is not None for before in at.before):
+            self._meanwhile[at] = False
         return False
 
-    def _is_kept(self, route: Route) -> bool:
+    def _kept(self, route: Route) -> bool | None:
+        kept: bool | None = getattr(route, self._reading)
+        return self._meanwhile.get(route) if kept is None else kept
+
+    def _is_for_good(self, route: Route) -> bool:
         return getattr(route, self._reading) is not None
