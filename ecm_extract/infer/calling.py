@@ -13,7 +13,6 @@ from ecm_extract.infer.effects import Effect, is_plain, perhaps_called
 from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
-from ecm_extract.infer.places import lies_in
 from ecm_extract.infer.run import Frame
 
 if TYPE_CHECKING:
@@ -83,7 +82,7 @@ class Calling:
         """The state after methods of objects of Python, which may change what those have: `x.rows = b; x.go()`."""
         for call in self.frame.env.func.calls[at] if self.frame.python else ():
             key = self.frame.effects.key(_receiver(call))
-            if key and any(lies_in(each, {key}) for each in state.holds) and not self._is_left(call, at):
+            if key and state.holds.within(key) and not self._is_left(call, at):
                 state = self.memory.sharers_reached({key}, state)
         return state
 
@@ -165,7 +164,7 @@ class Calling:
         if len(changing) > 1 or None in known:
             return self.memory.lost(state, self.memory.names(key, state)) if key else self._anything(state)
         if not key:
-            self.memory.show([member for member in state.holds if member.startswith(".")], state)
+            self.memory.show(state.holds.within(""), state)
         for call, members in changing:
             given, fields = members or {}, self._fields_of(members or {}, state)
             held = {name: self._after(name, there, call, at, env, state) for name, there in {**fields, **given}.items()}
@@ -180,7 +179,8 @@ class Calling:
     def _fields_of(self, members: Mapping[str, str], state: State) -> Mapping[str, str]:
         """What is known of fields of what a method changes, each with its name in the method."""
         found: dict[str, str] = {}
-        for key in [key for key in state.holds if lies_in(key, members) and key not in members]:
+        within = dict.fromkeys(key for member in members for key in state.holds.within(member))
+        for key in (key for key in within if key not in members):
             whole = max((member for member in members if key.startswith(f"{member}.")), key=len)
             found[key] = members[whole] + key.removeprefix(whole)
         return found
@@ -211,8 +211,9 @@ class Calling:
     def _anything(self, state: State) -> State:
         """The state after functions that may assign members as they like."""
         judge, env = self.frame.judge, self.frame.env
-        again = [key for key in state.holds if key.startswith(".") and not judge.is_fixed(key, env)]
-        state = self.memory.sharers_reached({key for key in state.holds if key.startswith(".")}, state)
+        members = state.holds.within("")
+        again = [key for key in members if not judge.is_fixed(key, env)]
+        state = self.memory.sharers_reached(set(members), state)
         return replace(self.memory.given_again(again, state), called=True)
 
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:
@@ -228,7 +229,7 @@ class Calling:
 
     def _parts(self, effect: Effect, how: How, name: str, at: int, env: Env, state: State) -> State:
         """The state in which what an object of C++ was handed to has done the same to its fields."""
-        for part in [part for part in state.holds if part.startswith(f"{effect.key}.")]:
+        for part in state.holds.within(effect.key):
             own = name + part.removeprefix(effect.key)
             held = Held(how, own, effect.call, env, at, before=state.holds[part])
             state = self.memory.hold(part, held, state)

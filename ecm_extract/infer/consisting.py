@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping, Set
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from typing import Final, NamedTuple
 
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, all_ways
-from ecm_extract.infer.places import owners, wholes
+from ecm_extract.infer.layers import Written
+from ecm_extract.infer.places import around
 
 
 class _Content(NamedTuple):
@@ -29,6 +30,18 @@ class _Content(NamedTuple):
 _NOTHING: Final = _Content(frozenset(), {}, frozenset())
 
 
+class _Holders(NamedTuple):
+    """Who consists of what, of the variables that lie beneath many states.
+
+    Attributes:
+        of: variable -> those that consist of it. elsewhere: variable -> those that are made of one of its name, which
+            may be bound elsewhere.
+    """
+
+    of: Mapping[str, Sequence[str]]
+    elsewhere: Mapping[str, Sequence[str]]
+
+
 class Consisting:
     """Finds it; what a thing was before is looked through once, and what a variable holds once until a loop ends."""
 
@@ -36,46 +49,73 @@ class Consisting:
         self.effects = effects
         self._contents: dict[Held, _Content] = {}
         self._of_ways: dict[Collection[Held], _Content] = {}
+        self._holders: dict[Written, _Holders] = {}
 
     def loop_ended(self) -> None:
         """Forget what was found of variables: what they held when a round of a loop began is known now."""
         self._of_ways.clear()
+        self._holders.clear()
 
     def forget(self) -> None:
         """Drop all that was found, since the run is over: who ran it may be kept by a circle until the end of all."""
         self._contents.clear()
         self._of_ways.clear()
+        self._holders.clear()
 
     def named(self, keys: Iterable[str], state: State) -> set[str]:
         """Return variables with those that they are, or consist of, and what these consist of."""
-        return self._within(keys, {}, state)
+        return self._within(keys, state, with_fields=False)
 
     def reached(self, keys: Iterable[str], state: State) -> set[str]:
         """Return variables with all that who has them may change: what they and their fields are, or consist of."""
-        return self._within(keys, _fields(state), state)
+        return self._within(keys, state, with_fields=True)
 
-    def _within(self, keys: Iterable[str], fields: Mapping[str, list[str]], state: State) -> set[str]:
+    def _within(self, keys: Iterable[str], state: State, with_fields: bool) -> set[str]:
         found, pending = set[str](), list(keys)
         while pending:
             key = pending.pop()
             if key not in found:
                 found.add(key)
                 pending += self._parts(key, state)
-                pending += fields.get(key, ())
+                pending += state.holds.within(key) if with_fields and key else ()
         return found
 
     def naming(self, keys: Iterable[str], state: State) -> set[str]:
         """Return variables with those that are one of them, or consist of one, and what consists of these."""
-        holding = defaultdict[str, list[str]](list)
-        for name in state.holds:
-            for part in self._parts(name, state):
-                holding[part] += (name, *wholes(name), *owners(name))
+        holds = state.holds
+        beneath, since = self._beneath(holds.base), self._since(state)
         found, pending = set[str](), list(keys)
         while pending:
             key = pending.pop()
             if key not in found:
                 found.add(key)
-                pending += holding.get(key, ())
+                holders = [name for name in beneath.of.get(key, ()) if name not in holds.over]
+                pending += (each for name in (*holders, *since.get(key, ())) for each in (name, *around(name)) if each)
+        return found
+
+    def _beneath(self, written: Written) -> _Holders:
+        """Who consists of what beneath a state, found once for all that lie over it."""
+        known = self._holders.get(written)
+        if known is None:
+            of, elsewhere = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
+            for name, ways in written.helds.items():
+                content = self._together(ways)
+                for parts, holders in ((content.keys, of), (content.elsewhere, elsewhere)):
+                    for part in parts:
+                        holders[part].append(name)
+            known = self._holders[written] = _Holders(of, elsewhere)
+        return known
+
+    def _since(self, state: State) -> Mapping[str, Sequence[str]]:
+        """Who consists of what, of what was changed since, and of what is made of variables bound elsewhere."""
+        holds = state.holds
+        gone = [names for part, names in self._beneath(holds.base).elsewhere.items() if part not in holds]
+        asked = [name for name, ways in holds.over.items() if ways]
+        asked += {name for names in gone for name in names if name not in holds.over}
+        found = defaultdict[str, list[str]](list)
+        for name in asked:
+            for part in self._parts(name, state):
+                found[part].append(name)
         return found
 
     def _parts(self, name: str, state: State) -> Set[str]:
@@ -123,17 +163,21 @@ class Consisting:
 
     def _of_all(self, held: Held, before: Iterable[Held]) -> _Content:
         """What a thing is made of, by what it names itself and what it was before."""
-        exprs = (*shared_names(held.expr), *shared_names(held.more))
-        keys = frozenset([self.effects.key(expr) for expr in exprs]) - {""}
+        earlier = [self._contents[each] for each in before]
+        open_ = [each for each in _before(held) if _is_open(each)]
+        if held.expr is None and held.more is None and not open_:
+            return _merged(earlier)
+        keys = frozenset([self.effects.key(each) for expr in (held.expr, held.more) for each in shared_names(expr)])
+        keys -= {""}
         there = held.env.state.holds if held.env is not None and held.env.state is not None else {}
         elsewhere = {key: frozenset(there[key]) for key in keys if key in there}
-        own = _Content(keys, elsewhere, frozenset(filter(_is_open, _before(held))))
-        return _merged([own, *[self._contents[each] for each in before]])
+        own = _Content(keys, elsewhere, frozenset(open_)) if keys or open_ else _NOTHING
+        return _merged([own, *earlier])
 
 
 def _merged(contents: Iterable[_Content]) -> _Content:
     """What several things are made of, most of which are made of nothing."""
-    found = [each for each in contents if each != _NOTHING]
+    found = [each for each in contents if each is not _NOTHING]
     if len(found) <= 1:
         return found[0] if found else _NOTHING
     elsewhere: dict[str, frozenset[Held]] = {}
@@ -158,12 +202,3 @@ def _before(held: Held) -> Iterable[Held]:
     if held.how == "met":
         return all_ways((held,))
     return held.before if held.how != "entered" else ()
-
-
-def _fields(state: State) -> Mapping[str, list[str]]:
-    """The fields of objects that something is known of."""
-    found = defaultdict[str, list[str]](list)
-    for key in state.holds:
-        for owner in (*wholes(key), *owners(key)):
-            found[owner].append(key)
-    return found

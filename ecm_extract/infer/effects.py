@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Final, Literal, Protocol
 
+from ecm_parsers.source.cpp_logging import PRINTED
 from ecm_parsers.source.expr import (
     THIS,
     Call,
@@ -215,7 +216,7 @@ class Effects:
         if not (passed or named or within) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
-        if target is None and last in self.calls.reading:
+        if target is None and (last in self.calls.reading or statement.type == PRINTED):
             return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
         if target is None and not own and self.targets.keeps(path):

@@ -166,7 +166,7 @@ class Giving:
 
     def _without_parts(self, pointers: set[str], suffix: str, state: State) -> State:
         """The state in which nobody knows the fields of what pointers point to, those that a suffix ends if any."""
-        parts = [key for key in state.holds if key.partition(".")[0] in pointers and "." in key]
+        parts = (key for pointer in pointers for key in state.holds.within(pointer))
         return self.memory.lost(state, [key for key in parts if key.endswith(suffix)])
 
 

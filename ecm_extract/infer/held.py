@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Final, Literal, NamedTuple
 
 from ecm_parsers.source.expr import Expr
 
+from ecm_extract.infer.layers import Layers
 from ecm_extract.infer.routes import START, Fork, Gate, Route, fork, met_routes
 
 if TYPE_CHECKING:
@@ -16,8 +17,9 @@ if TYPE_CHECKING:
 MAX_WAYS = 8
 """Different things that a variable may hold before it counts as unknown."""
 
-MAX_LAYER = 16
-"""Changes beyond which a state is written out in full."""
+MAX_REMEMBERED: Final = 64
+"""Things that met of which all are remembered."""
+_MET: Final = "met"
 
 How = Literal[
     "value",
@@ -93,59 +95,6 @@ class Part(NamedTuple):
 
     route: Route
     ways: tuple[Held, ...]
-
-
-class Layers(Mapping[str, tuple[Held, ...]]):
-    """What variables hold: few changes over many, so that a state costs no more than what it changes.
-
-    A variable without a thing among the changes is one that is not held any more.
-    """
-
-    __slots__ = ("_base", "_over")
-
-    def __init__(
-        self, base: Mapping[str, tuple[Held, ...]] | None = None, over: Mapping[str, tuple[Held, ...]] | None = None
-    ) -> None:
-        self._base = base if base is not None else {}
-        self._over = over if over is not None else {}
-
-    def having(self, changes: Mapping[str, tuple[Held, ...]]) -> Layers:
-        """Return the same with other things in some variables."""
-        over = {**self._over, **changes}
-        if len(over) <= MAX_LAYER:
-            return Layers(self._base, over)
-        return Layers({name: helds for name, helds in {**self._base, **over}.items() if helds})
-
-    def apart(self, other: Layers) -> Iterable[str]:
-        """Return the variables that may hold something else in another one: what lies beneath both is the same."""
-        if self._base is other._base:
-            return dict.fromkeys((*self._over, *other._over))
-        return dict.fromkeys((*self, *other))
-
-    def __getitem__(self, name: str) -> tuple[Held, ...]:
-        found = self._over.get(name)
-        if found is None:
-            return self._base[name]
-        if not found:
-            raise KeyError(name)
-        return found
-
-    def get(self, name: str, default: Any = None) -> Any:
-        """Return what a variable holds."""
-        found = self._over.get(name)
-        return self._base.get(name, default) if found is None else found or default
-
-    def __iter__(self) -> Iterator[str]:
-        over = self._over
-        for name in self._base:
-            if over.get(name, True):
-                yield name
-        for name, helds in over.items():
-            if helds and name not in self._base:
-                yield name
-
-    def __len__(self) -> int:
-        return sum(1 for _ in self)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -282,15 +231,30 @@ def either(name: str, left: tuple[Held, ...], right: tuple[Held, ...]) -> tuple[
 def all_ways(ways: Iterable[Held]) -> tuple[Held, ...]:
     """Return what a variable may hold on any route, whichever are taken."""
     found: dict[Held, None] = {}
-    pending = list(ways)
-    seen: set[Held] = set()
+    for held in ways:
+        if held.how == "met":
+            found.update(dict.fromkeys(_met_of(held)))
+        else:
+            found[held] = None
+    return tuple(found)
+
+
+def _met_of(met: Held) -> tuple[Held, ...]:
+    """What met to make a thing, and what met to make that; few things are remembered, of which many states ask."""
+    known = met.settled.get(_MET)
+    if isinstance(known, tuple):
+        return known
+    found: dict[Held, None] = {}
+    pending, seen = [met], set[Held]()
     while pending:
-        held = pending.pop(0)
+        held = pending.pop()
         if held.how != "met":
             found[held] = None
         elif held not in seen:
             seen.add(held)
-            pending[:0] = [way for part in held.parts for way in part.ways]
+            pending += reversed([way for part in held.parts for way in part.ways])
+    if len(found) <= MAX_REMEMBERED:
+        met.settled[_MET] = tuple(found)
     return tuple(found)
 
 

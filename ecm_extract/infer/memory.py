@@ -10,7 +10,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, statements
 
 from ecm_extract.infer.held import Held, How, State, all_ways
-from ecm_extract.infer.places import ALL_FIELDS, lies_in, owners, wholes
+from ecm_extract.infer.places import ALL_FIELDS, owners, wholes
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.sharing import Sharing
 
@@ -60,7 +60,7 @@ class Memory:
             return state
         owner = key.removesuffix(f".{ALL_FIELDS}")
         if not owner:
-            return self.lost(state, [member for member in state.holds if member.startswith(".")])
+            return self.lost(state, state.holds.within(""))
         return self.lost(state, self.names(owner, state))
 
     def _seen_by_others(self, key: str, held: Held) -> Held:
@@ -77,27 +77,23 @@ class Memory:
         lost = {key: (Held("lost", key, before=state.holds.get(key, ())),) for key in keys if key}
         if not lost:
             return state
-        parts = [part for part in state.holds if lies_in(part, lost)]
+        parts = (part for key in lost for part in state.holds.within(key))
         return state.having(lost | {part: (Held("lost", part),) for part in parts})
 
     def parts_lost(self, key: str, state: State) -> State:
         """Return the state in which nobody knows the fields of a variable."""
-        return state.having({part: (Held("lost", part),) for part in self._parts(key, state)})
+        return state.having({part: (Held("lost", part),) for part in state.holds.within(key)})
 
     def parts_begun(self, key: str, state: State) -> State:
         """Return the state in which a variable of C++ was declared, and so has no field of another one of its name."""
-        return state.without(self._parts(key, state))
+        return state.without(state.holds.within(key))
 
     def again(self, key: str, before: State, state: State) -> State:
         """Return the state behind a block that hid a variable by another one: it holds what it held before."""
         if key not in before.holds:
             return state
-        known = {part: before.holds[part] for part in (key, *self._parts(key, before))}
-        return state.without(self._parts(key, state)).having(known)
-
-    def _parts(self, key: str, state: State) -> list[str]:
-        dotted = f"{key}."
-        return [part for part in state.holds if part.startswith(dotted)]
+        known = {part: before.holds[part] for part in (key, *before.holds.within(key))}
+        return state.without(state.holds.within(key)).having(known)
 
     def in_place(self, key: str, held: Held, state: State) -> State:
         """Change what a variable consists of, for all names of the same thing."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator, Set
+from collections.abc import Callable, Iterator, Set
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Function, Statement
@@ -98,14 +98,12 @@ def wholes(key: str) -> list[str]:
     return [".".join(parts[:count]) for count in range(1, len(parts)) if parts[0]]
 
 
-def lies_in(key: str, wholes: Container[str]) -> bool:
-    """Whether a field lies in one of some objects, by key."""
+def around(key: str) -> Iterator[str]:
+    """Yield what a field lies in, by key, the nearest first; "" for the object at hand."""
     end = key.rfind(".")
-    while end > 0:
-        if key[:end] in wholes:
-            return True
-        end = key.rfind(".", 0, end)
-    return False
+    while end >= 0:
+        yield key[:end]
+        end = key.rfind(".", 0, end) if end else -1
 
 
 def owners(key: str) -> list[str]:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Mapping, Set
 
-from ecm_parsers.source.expr import Member, Name
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.consisting import Consisting
@@ -92,25 +91,25 @@ class Sharing:
         """Return all names of the object that a name of Python is bound to."""
         alike: set[str] = set()
         more = {key}
+        copies = self._copies(state)
         while more - alike:
-            alike |= more
-            ways = [state.holds[name] for name in alike if name in state.holds]
-            more = {name for name, found in state.holds.items() if any(found is entry for entry in ways)}
-            more |= {name for one in alike for name in self._named_alike(one, state)}
+            new = more - alike
+            alike |= new
+            more = {name for one in new if one in state.holds for name in state.holds.alike(state.holds[one])}
+            more |= {name for name, other in copies.items() if other in new}
+            more |= {copies[name] for name in new if name in copies}
         return alike
 
-    def _named_alike(self, key: str, state: State) -> set[str]:
-        """Names that are surely bound to the same object: `b = a`, and neither was bound anew."""
-        own = self._bound_as(key, state)
-        return {name for name in state.holds if self._bound_as(name, state) == key} | ({own} if own else set())
+    def _copies(self, state: State) -> Mapping[str, str]:
+        """Names with those that they are surely bound to the same object as: `b = a`, and neither was bound anew."""
+        bound = {name: self._bound_as(name, state) for name in state.holds.copies()}
+        return {name: other for name, other in bound.items() if other}
 
     def _bound_as(self, key: str, state: State) -> str:
-        """The name that a variable was bound as, if that still holds the same; empty for none."""
-        ways = state.holds.get(key, ())
-        if len(ways) != 1 or ways[0].how != "value" or not isinstance(ways[0].expr, Name | Member):
-            return ""
-        meant = self.effects.key(ways[0].expr)
-        then = ways[0].env.state if ways[0].env is not None else None
+        """The name that a copy was bound as, if that still holds the same; empty for none."""
+        held = state.holds[key][0]
+        meant = self.effects.key(held.expr)
+        then = held.env.state if held.env is not None else None
         return meant if then is not None and then.holds.get(meant) is state.holds.get(meant) else ""
 
     def holding(self, keys: Set[str], state: State) -> set[str]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ecm_parsers.source.expr import Text
 
-from ecm_extract.infer.held import Held, Layers, State, joined_states
+from ecm_extract.infer.held import Held, State, joined_states
+from ecm_extract.infer.layers import Layers, Written
 
 _NAMES = [f"name{number}" for number in range(100)]
 
@@ -14,7 +15,7 @@ def _held(text: str) -> tuple[Held, ...]:
 
 
 def _state() -> State:
-    return State(Layers({name: _held(name) for name in _NAMES}))
+    return State(Layers(Written({name: _held(name) for name in _NAMES})))
 
 
 def test_ways_that_part_are_compared_in_what_they_changed() -> None:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_effects import has_call, shifted
 from ecm_parsers.source.cpp_expr import ExprReader
+from ecm_parsers.source.cpp_logging import Printing, macro_that_prints
 from ecm_parsers.source.cpp_statements import StatementWriter
 from ecm_parsers.source.cpp_writes import written
 from ecm_parsers.source.expr import Call, Expr, Name, Number, Op, Opaque
@@ -16,9 +17,6 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _ASSIGNING = frozenset({"-=", "*=", "/=", "%=", "|=", "&=", "^=", "<<=", ">>="})
-_LOGGING = (b"RCLCPP_", b"ROS_", b"RCUTILS_", b"ASSERT_", b"EXPECT_")
-_ASSERTING = (b"ROS_ASSERT", b"ROS_BREAK")
-"""Macros of ros/assert.h: what they ask for are settings as well as errors, and some end the program."""
 
 
 class Assigning:
@@ -34,10 +32,13 @@ class Assigning:
         self.expr = expr
         self.writer = writer
         self.buffers = buffers
+        self._printing = Printing(expr, writer)
 
     def expression(self, node: Node) -> None:
         """Read an expression whose value nobody takes."""
-        if node.type == "call_expression" and self._logs(node.start_byte):
+        macro = macro_that_prints(node)
+        if macro:
+            self._printing.read(macro, node)
             return
         if node.type in {"comma_expression", "parenthesized_expression"}:
             for child in node.named_children:
@@ -64,10 +65,6 @@ class Assigning:
                 self.expression(side)
             elif changed is not None:
                 self._set(node, self.expr.read(changed), Opaque("..."))
-
-    def _logs(self, at: int) -> bool:
-        """Whether a call says something and does nothing else."""
-        return self.expr.data.startswith(_LOGGING, at) and not self.expr.data.startswith(_ASSERTING, at)
 
     def effect(self, node: Node, value: Expr) -> None:
         """Write what an expression assigns, or that it calls something."""
