@@ -147,8 +147,13 @@ class Memory:
         """The state after somebody changed what variables mean or hold: a text of Python stays what it is."""
         if not self.frame.python:
             return self.lost(state, keys)
-        handed = {key: (Held("handed", key, before=self.known(key, state, None)),) for key in self._fixed(keys, state)}
+        handed = {key: self._handed(key, state) for key in self._fixed(keys, state)}
         return self.lost(state, keys).having(handed)
+
+    def _handed(self, key: str, state: State) -> tuple[Held, ...]:
+        """What a variable holds that somebody may have changed once more."""
+        ways = self.known(key, state, None)
+        return ways if all(held.how == "handed" for held in ways) else (Held("handed", key, before=ways),)
 
     def sharers_reached(self, keys: Set[str], state: State) -> State:
         """The state after somebody changed what variables consist of: others of Python may be that, or have it, too."""

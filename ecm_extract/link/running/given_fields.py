@@ -72,7 +72,8 @@ class GivenFields:
         if kept:
             return kept
         found = [self._value(entry) for entry in own]
-        read = [values for values, entry in zip(found, own, strict=True) if not self._is_set(values, entry)]
+        both = zip(found, own, strict=True)
+        read = [values for values, entry in both if not (_are_open(values) and self._is_taken(entry))]
         if not read or any(values != read[0] or len(values) != 1 for values in read):
             return ()
         begun = self.folder.fold(field.default, Env(env.func, this=cls)) if field.default is not None else read[0]
@@ -91,7 +92,7 @@ class GivenFields:
 
     def is_set_later(self, entry: Definition) -> bool:
         """Tell whether an assignment of C++ takes what somebody sets out of the parameter that he hands over."""
-        return entry.func.file.language == "cpp" and self._is_set(self._value(entry), entry)
+        return entry.func.file.language == "cpp" and self._is_taken(entry) and _are_open(self._value(entry))
 
     def _value(self, entry: Definition) -> tuple[Value, ...]:
         return self.folder.fold(entry.statement.value, Env(entry.func, entry.at))
@@ -113,13 +114,13 @@ class GivenFields:
             if statement.kind == "set" and isinstance(statement.target, Name | Member)
         )
 
-    def _is_set(self, values: Sequence[Value], entry: Definition) -> bool:
-        """Whether an assignment takes what nobody shows out of a parameter: once somebody sets it."""
+    def _is_taken(self, entry: Definition) -> bool:
+        """Whether an assignment takes what it gives out of a parameter that somebody hands over."""
         value = entry.statement.value
         if not isinstance(value, Call) or not isinstance(value.callee, Member) or value.callee.name not in _TAKEN:
             return False
         of = self.folder.objects.type_of(value.callee.base, Env(entry.func, entry.at))
-        return last_name(plain(pointee(of))) == "Parameter" and all(each.confidence == "pattern" for each in values)
+        return last_name(plain(pointee(of))) == "Parameter"
 
     def is_reached_into(self, path: str, language: str = "cpp") -> bool:
         """Tell whether somebody assigns `object.member.field`, of whatever object; `path` is `.member.field`."""
@@ -158,6 +159,11 @@ class GivenFields:
                     if name in self.folder.program.classes:
                         found[name] = max(count, found.get(name, 0))
         return found
+
+
+def _are_open(values: Sequence[Value]) -> bool:
+    """Tell whether nothing shows what something is."""
+    return all(each.confidence == "pattern" for each in values)
 
 
 def _is_own(expr: Expr) -> bool:

@@ -1,4 +1,4 @@
-"""Macros of C++ that print: what their arguments do beside being printed (`ROS_ERROR_COND(!nh.getParam("x", x), "")`)."""
+"""Macros of C++ that print, and what their arguments do beside: `ROS_ERROR_COND(!nh.getParam("x", x), "no x")`."""
 
 from __future__ import annotations
 
