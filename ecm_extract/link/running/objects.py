@@ -301,6 +301,8 @@ class Objects:
         """`Base::name()` means that of the base, whatever a derived class has, `library::name()` none of them."""
         owner = env.this or env.func.cls
         qualifier = last_name(call.path.rpartition("::")[0])
+        if env.func.file.language == "python" and env.func.fact.name != "<module>":
+            return None  # a bare name in a function of Python means no method, whatever the class has
         if not qualifier or owner is None:
             return owner
         return next((entry for entry in self.program.ancestry(owner) if entry.fact.name == qualifier), None)
