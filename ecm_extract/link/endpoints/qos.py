@@ -16,6 +16,7 @@ from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.endpoints.qos_made import PROFILE, QUEUE, QUEUE_OF, QosMade
+from ecm_extract.link.endpoints.qos_own import OwnProfiles
 from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, preset_of, presets
 from ecm_extract.link.endpoints.qos_values import (
     milliseconds,
@@ -27,7 +28,6 @@ from ecm_extract.link.endpoints.qos_values import (
 from ecm_extract.link.endpoints.qos_variables import QosVariables
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 
 _FLAGS: dict[str, tuple[str, str]] = {
@@ -66,6 +66,7 @@ class QosReader:
         self.folder = folder
         self.variables = QosVariables(folder, self)
         self.made = QosMade(folder, self)
+        self.own = OwnProfiles(folder, self, self.made)
 
     def read(self, expr: Expr | None, env: Env) -> Qos:
         """Return the profile of a ROS 2 endpoint; without an expression the default one."""
@@ -179,7 +180,7 @@ class QosReader:
         if isinstance(callee, Member) and not (dotted_name(callee) and env.func.file.language == "python"):
             return self._method(callee, expr, env, level)
         name = last_name(dotted_name(callee) or (callee.id if isinstance(callee, Name) else ""))
-        own = self._own_class(expr, env, level)
+        own = self.own.of_call(expr, env, level)
         if own is not None:
             return own
         if isinstance(callee, Member) and name in {"get", _BY_KEY} and expr.args:
@@ -213,22 +214,6 @@ class QosReader:
         if callee.name in _SETTERS:
             return {**self.policies(callee.base, env, level + 1), **self.set_by(expr, env)}
         return self._function(expr, env, level)
-
-    def _own_class(self, expr: Call, env: Env, level: int) -> dict[str, Any] | None:
-        """A profile class of the tree: what its constructor hands to its base, then what it sets on itself."""
-        call = invocation_of(expr, env)
-        cls = self.folder.program.class_named(call.path, env.func.file, env.scope)
-        maker = self.folder.objects.constructor(cls, len(call.args)) if cls is not None else None
-        if cls is None or maker is None:
-            return None
-        policies: dict[str, Any] = {}
-        for at, statement in enumerate(maker.fact.body):
-            inner = Env(maker, at, bind(maker, call, env), this=cls, depth=env.depth + 1)
-            if statement.kind == "init" and statement.value is not None:
-                policies |= self.policies(statement.value, inner, level + 1)
-            elif statement.kind == "do" and isinstance(statement.value, Call):
-                policies |= self.chain(statement.value, inner) or self.set_by(statement.value, inner)
-        return policies
 
     def set_by(self, expr: Call, env: Env) -> dict[str, Any]:
         """Return what one setter sets."""

@@ -95,6 +95,8 @@ class TableFolder:
         if isinstance(expr, Op) and expr.op == "[]":
             each = self.element(expr, env)
             return self.entries(each.expr, each.env.deeper(env.depth + 1)) if each is not None else None
+        if isinstance(expr, Op) and expr.op == "|":
+            return _one_after_the_other([self.entries(side, env) for side in expr.operands])
         return self._entries_of_variable(expr, env) if isinstance(expr, Name | Member) else None
 
     def _entries_of_variable(self, expr: Name | Member, env: Env) -> list[Entry] | None:
@@ -161,15 +163,22 @@ class TableFolder:
             if call.path == "dataclasses.asdict":
                 found = self.folder.data_classes.entries(call, env)
                 return [Entry(Bound(Text(key), env), value) for key, value in found] if found is not None else None
-            if call.path == "dict" and not call.args:
-                return [Entry(Bound(Text(key), env), Bound(value, env)) for key, value in call.keywords]
-            copies = call.path == "dict" or (call.last == "copy" and call.receiver is not None)
-            base = call.args[0] if call.path == "dict" else call.receiver
-            return self.entries(base, env) if copies and len(call.args) <= 1 else self._returned_entries(call, env)
+            if call.path == "dict":
+                return self._made(call, env)
+            copies = call.last == "copy" and call.receiver is not None and not call.args
+            return self.entries(call.receiver, env) if copies else self._returned_entries(call, env)
         if call.receiver is None and is_map(call.path):
             listed = call.args[0] if len(call.args) == 1 else Items(call.args)
             return self._pairs(listed, env) if isinstance(listed, Items) else self.entries(listed, env)
         return self._returned_entries(call, env)
+
+    def _made(self, call: Invocation, env: Env) -> list[Entry] | None:
+        """The entries of `dict(other, key=value)`: those of the other one, and what is given by name over them."""
+        found = [self.entries(base, env) for base in call.args[:1]]
+        for key, value in call.keywords:
+            given = self.entries(value, env) if key == SPREAD else [Entry(Bound(Text(key), env), Bound(value, env))]
+            found.append(given)
+        return _one_after_the_other(found)
 
     def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
         callee = self.folder.returns.meant(call, env)
@@ -306,3 +315,9 @@ class TableFolder:
 def is_plain_table(expr: Table) -> bool:
     """Tell whether a display of a table has no other table spread into it."""
     return all(key != Constant("null") for key, _ in expr.entries)
+
+
+def _one_after_the_other(tables: Sequence[list[Entry] | None]) -> list[Entry] | None:
+    """The entries of several tables in one, where the last of a key counts; None where one of them is not known."""
+    known = [table for table in tables if table is not None]
+    return [entry for table in known for entry in table] if len(known) == len(tables) else None
