@@ -53,7 +53,7 @@ class Openness:
         return params, made
 
     def _redefined(self, site: Site, names: Sequence[Value]) -> frozenset[str]:
-        """What a name or a further argument is made of that derived classes have of their own: attributes and methods."""
+        """What a name or another argument is made of that derived classes have of their own: fields and methods."""
         owner = site.owner
         derived = self.derived(owner) if owner is not None else ()
         if owner is None or not derived:

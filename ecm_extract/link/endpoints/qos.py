@@ -107,7 +107,8 @@ class QosReader:
             return {"history": "keep_last", "depth": truncated(expr.value)}
         listed = self.folder.tables.element(expr, env, likely=True) if isinstance(expr, Call | Op) else None
         if listed is not None:
-            return self.policies(listed.expr, listed.env.deeper(env.depth + 1), level + 1)
+            changed = self.variables.is_changed_by_other_name(expr, env)
+            return {**UNSEEN} if changed else self.policies(listed.expr, listed.env.deeper(env.depth + 1), level + 1)
         if isinstance(expr, Call):
             return self._call(expr, env, level)
         preset = self._preset(expr, env, level)
@@ -115,9 +116,6 @@ class QosReader:
             return preset
         if isinstance(expr, Name | Member):
             return self._variable(expr, env, level)
-        if isinstance(expr, Op) and expr.op == "[]":
-            each = self.folder.tables.element(expr, env, likely=True)
-            return self._element(each, level) if each is not None else self._unseen(expr, env)
         if isinstance(expr, Op) and expr.op == "?:":
             return agreed([self.policies(branch, env, level + 1) for branch in self._branches(expr, env)])
         if isinstance(expr, Op) and expr.op == "||":

@@ -6,13 +6,14 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member
 from ecm_parsers.source.facts import Statement
+from ecm_parsers.source.flow import Block, Branch, Leave, blocks
 from msgspec.structs import replace
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.units import Cls
 from ecm_extract.link.endpoints.qos_made import Evaluating, Policies, QosMade
-from ecm_extract.link.endpoints.qos_presets import UNSEEN
+from ecm_extract.link.endpoints.qos_presets import agreed
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env, invocation_of
 
@@ -51,14 +52,8 @@ class OwnProfiles:
         maker = self.folder.objects.constructor(cls, len(call.args)) if cls is not None else None
         if cls is None or maker is None:
             return None
-        policies: Policies = {}
-        for at, statement in enumerate(maker.fact.body):
-            inner = Env(maker, at, bind(maker, call, env), this=cls, depth=env.depth + 1)
-            if statement.kind == "init" and statement.value is not None:
-                policies |= self.profiles.policies(statement.value, inner, level + 1)
-            elif statement.kind == "do" and isinstance(statement.value, Call):
-                policies |= self.profiles.chain(statement.value, inner) or self.profiles.set_by(statement.value, inner)
-        return policies
+        place = Env(maker, 0, bind(maker, call, env), this=cls, depth=env.depth + 1)
+        return self._of_block(self.folder.flow.outline(maker).block, place, {}, level)
 
     def _is_profile(self, cls: Cls) -> bool:
         lineage = self.folder.program.ancestry(cls)
@@ -69,22 +64,42 @@ class OwnProfiles:
         maker = self.folder.objects.constructor(cls, len(call.args))
         if maker is None or maker.cls is None:
             return self.made.of_call(_PROFILE, expr, env, level + 1)
-        outline = self.folder.flow.outline(maker)
-        policies: Policies = {}
-        for at, statement in enumerate(maker.fact.body):
-            inner = Env(maker, at, bind(maker, call, env), this=cls, depth=env.depth + 1)
-            found = self._of_statement(statement, maker, inner, level)
-            policies |= found if at in outline.certain else {key: UNSEEN.get(key) for key in found}
+        place = Env(maker, 0, bind(maker, call, env), this=cls, depth=env.depth + 1)
+        return self._of_block(self.folder.flow.outline(maker).block, place, {}, level)
+
+    def _of_block(self, block: Block, place: Env, policies: Policies, level: int) -> Policies:
+        """What steps make of a profile; of a branch the side that its condition is known to take, else what both do."""
+        for step in block:
+            if isinstance(step, int):
+                found = self._of_statement(place.func.fact.body[step], place.within(None, step), level)
+                policies = policies | found
+            elif isinstance(step, Branch):
+                holds = self.folder.flow.truth(step.test, place)
+                sides = (step.then, step.other) if holds is None else (step.then if holds else step.other,)
+                policies = agreed([self._of_block(side, place, policies, level) for side in sides])
+            elif not isinstance(step, Leave):
+                ways = [self._of_block(each, place, policies, level) for each in blocks(step)]
+                policies = agreed([policies, *ways])
         return policies
 
-    def _of_statement(self, statement: Statement, maker: Func, env: Env, level: int) -> Policies:
-        value, target = statement.value, statement.target
+    def _of_statement(self, statement: Statement, env: Env, level: int) -> Policies:
+        value = statement.value
+        if env.func.file.language == "python":
+            return self._of_python_statement(statement, env, level)
+        if statement.kind == "init" and value is not None:
+            return self.profiles.policies(value, env, level + 1)
+        if statement.kind == "do" and isinstance(value, Call):
+            return self.profiles.chain(value, env) or self.profiles.set_by(value, env)
+        return {}
+
+    def _of_python_statement(self, statement: Statement, env: Env, level: int) -> Policies:
+        value, target, cls = statement.value, statement.target, env.func.cls
         if isinstance(target, Member) and target.base == THIS and value is not None:
             return self.profiles.assigned(target.name, value, env)
         if not isinstance(value, Call) or not isinstance(value.callee, Member) or value.callee.name != _MAKER:
             return {}
         call = replace(value, args=_without_object(value.args))
-        parent = next(iter(self.folder.program.bases(maker.cls)), None) if maker.cls is not None else None
+        parent = next(iter(self.folder.program.bases(cls)), None) if cls is not None else None
         if parent is None:
             return self.made.of_call(_PROFILE, call, env, level + 1)
         return self._of_python(parent, call, invocation_of(call, env), env, level + 1)
