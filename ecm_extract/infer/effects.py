@@ -252,7 +252,7 @@ class Effects:
         yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
     def _on_receiver(self, call: Call, callee: Member) -> Iterator[Effect]:
-        if callee.name in self.calls.fluent and (root := self.root(callee.base)):
+        if callee.name in self.calls.fluent and (root := self.key(callee.base) or self.root(callee.base)):
             yield Effect("changed" if self._is_handed_back(callee.base) else "lost", root, call)
         if callee.name not in self.calls.changing:
             return

@@ -16,6 +16,7 @@ struct Open : rclcpp::QoS {{ Open() : rclcpp::QoS(7) {{ if (given()) best_effort
 class Demo : public rclcpp::Node {{
  public:
   Demo() : Node("demo") {{ {body} }}
+  rclcpp::QoS & profile() {{ return qos_; }}
   rclcpp::QoS qos_{{4}};
 }};
 """
@@ -27,6 +28,7 @@ MADE = [
     (MAKE.format("qos_") + " qos_.best_effort();", ("reliable", "volatile", 4)),
     ("qos_.best_effort(); " + MAKE.format("qos_"), ("best_effort", "volatile", 4)),
     ("auto & other = qos_; other.best_effort(); " + MAKE.format("qos_"), ("best_effort", "volatile", 4)),
+    ("profile().best_effort(); " + MAKE.format("qos_"), ("best_effort", "volatile", 4)),
 ]
 PYTHON = """
 from rclpy.node import Node

@@ -156,7 +156,8 @@ class QosVariables:
             return self._passed(held.name, inner, level)
         cls = inner.this or inner.func.cls
         if held.how in {"given", "shared"} and _is_member(held.name) and cls is not None:
-            return self._of_member(held.name, cls, inner, level)
+            begun = self._as_begun(held.name[1:], cls, inner, level) if held.how == "given" else None
+            return begun if begun is not None else self._of_member(held.name, cls, inner, level)
         return dict(UNSEEN) if held.how in {"lost", "stored", "read"} else None
 
     def _handed_out(self, held: Held, env: Env, level: int) -> Policies:
