@@ -23,6 +23,8 @@ from ecm_extract.link.running.env import Env
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
+_FIXED = frozenset({"const", "constexpr"})
+"""Traits of variables of C++ that nobody changes."""
 _REMADE = "emplace"
 """The method of an optional that makes what it holds."""
 Policies = dict[str, Any]
@@ -275,7 +277,8 @@ class QosVariables:
     def is_changed_elsewhere(self, expr: Name | Member, variable: Variable, file: File, env: Env) -> bool:
         """Tell whether functions change a profile, or fields of it, that a module or a namespace has."""
         if file.language == "cpp":
-            return bool(self.folder.outside.changers(dotted_name(expr).replace(".", "::"), env.func))
+            fixed = not _FIXED.isdisjoint(variable.traits) and not variable.type.endswith(("*", "&"))
+            return not fixed and bool(self.folder.outside.changers(dotted_name(expr).replace(".", "::"), env.func))
         own = f"{last_name(variable.scope)}.{variable.name}" if variable.scope else variable.name
         outlines = (self.folder.flow.outline(func) for func in self.folder.program.functions_in(file))
         return any(_changes(outline, own) for outline in outlines if not outline.is_module)

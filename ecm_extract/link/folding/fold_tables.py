@@ -12,7 +12,7 @@ from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import is_map
 from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
-from ecm_extract.link.code.own import is_own_member
+from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
@@ -151,6 +151,10 @@ class TableFolder:
             dotted = dotted_name(expr)
             own = self.folder.lists.declared(expr, env) if is_own_member(expr) else None
             return self.entries(own.expr, own.env) if own is not None else self.folder.names.module_entries(dotted, env)
+        if self.folder.flow.effects(env.func).key(expr).startswith("."):
+            own = self.folder.lists.declared(expr, env)
+            written = self.folder.scope.member_type(own_name(expr), env.this or env.func.cls)
+            return self._pairs(own.expr, own.env) if own is not None and "map" in written else None
         found = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
         if found is not None and found[0].value is not None and "map" in found[0].type:
             fixed = not self.folder.names.may_change(found[0].name, found[0], env)
