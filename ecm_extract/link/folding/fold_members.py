@@ -268,7 +268,8 @@ class MemberFolder:
     def is_given(self, name: str, cls: Cls) -> bool:
         """Tell whether others than the methods of a class give a member of some object of it something."""
         if cls.file.language == "python":
-            remade = any("remade" in entry.fact.traits for entry in self.folder.program.ancestry(cls))
+            lineage = self.folder.program.ancestry(cls)
+            remade = any("remade" in each.fact.traits or self.folder.names.is_changed(each, name) for each in lineage)
             return remade or bool(self.folder.scope.assigned_outside(name, "python"))
         return self.folder.given_fields.is_given(name, cls)
 
