@@ -46,10 +46,12 @@ class GivenFields:
         return outside or self._is_shared(name, cls)
 
     def _is_shared(self, name: str, cls: Cls) -> bool:
-        """Whether a field is one for all objects, and methods change it, which others than the one at hand may run."""
+        """Whether a field is one for all objects, and methods give it something, which other objects may run, too."""
         owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
-        static = owner is not None and "static" in owner.fields[name].traits
-        return static and owner is not None and any(self.folder.scope.changing(name, owner))
+        if owner is None or owner.file.language != "cpp" or "static" not in owner.fields[name].traits:
+            return False
+        touching = self.folder.scope.changing(name, owner)
+        return any(f".{name}" in self.folder.flow.outline(method).given for method in touching)
 
     def _in_braces(self, name: str, cls: Cls) -> bool:
         names = [field.name for field in cls.fact.fields]
