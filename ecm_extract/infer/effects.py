@@ -310,7 +310,8 @@ class Effects:
             yield Effect("lost", root, call)
         elif written.rstrip().endswith(("&", "*")) and "const" not in written.split():
             pointed = written.rstrip().endswith("*") and not (isinstance(arg, Op) and arg.op == "&")
-            if pointed and self.func.written_types.get(root, "").endswith("[]"):
+            array = self.func.written_types.get(root, "").endswith("[]")
+            if pointed and (array or self.targets.changes(target, name)):
                 yield Effect("lost", root, call)
             elif not pointed:
                 yield Effect("out" if self.key(arg) and not written.endswith("&&") else "lost", root, call, name)
