@@ -253,7 +253,7 @@ class Effects:
         yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
     def _on_receiver(self, call: Call, callee: Member) -> Iterator[Effect]:
-        if callee.name in self.calls.fluent and (root := self.root(callee.base)):
+        if callee.name in self.calls.fluent and (root := self.key(callee.base) or self.root(callee.base)):
             yield Effect("changed" if self._is_handed_back(callee.base) else "lost", root, call)
         if callee.name not in self.calls.changing:
             return
@@ -311,7 +311,8 @@ class Effects:
             yield Effect("lost", root, call)
         elif written.rstrip().endswith(("&", "*")) and "const" not in written.split():
             pointed = written.rstrip().endswith("*") and not (isinstance(arg, Op) and arg.op == "&")
-            if pointed and self.func.written_types.get(root, "").endswith("[]"):
+            array = self.func.written_types.get(root, "").endswith("[]")
+            if pointed and (array or self.targets.changes(target, name)):
                 yield Effect("lost", root, call)
             elif not pointed:
                 yield Effect("out" if self.key(arg) and not written.endswith("&&") else "lost", root, call, name)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Text
 from ecm_parsers.source.facts import Parameter
 
@@ -30,6 +32,17 @@ def score(call: Invocation, func: Func) -> int:
             return NO
         total += fit
     return total
+
+
+def fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
+    """Return the functions with a body that a call can mean, best first."""
+    scored = [(score(call, func), func) for func in funcs if _has_body(func)]
+    return [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
+
+
+def _has_body(func: Func) -> bool:
+    """Whether it is seen what a function does, be it nothing."""
+    return bool(func.fact.body) or not {"declaration", "pure", "deleted"} & set(func.fact.traits)
 
 
 def is_countable(call: Invocation, func: Func) -> bool:

@@ -53,16 +53,16 @@ class Openness:
         return params, made
 
     def _redefined(self, site: Site, names: Sequence[Value]) -> frozenset[str]:
-        """What a name is made of that derived classes have of their own: attributes of Python, and methods."""
+        """What a name or another argument is made of that derived classes have of their own: fields and methods."""
         owner = site.owner
         derived = self.derived(owner) if owner is not None else ()
         if owner is None or not derived:
             return frozenset()
         asked = {label for value in names for label in _unknown(value)}
-        used = _attributes(name_argument(site.form, site.call)) | asked
+        used = asked.union(*map(_attributes, _deciding(site))) if owner.file.language == "python" else asked
         fields = (entry.fields.get(name) for name in used for entry in derived if owner.file.language == "python")
         own = (field.name for field in fields if field is not None and field.default is not None)
-        return frozenset(own) | self._methods(owner, derived, asked)
+        return frozenset(own) | self._methods(owner, derived, used)
 
     def _methods(self, owner: Cls, derived: Iterable[Cls], asked: set[str]) -> frozenset[str]:
         """The methods among what is not known that derived classes, or other bases of them, have.
@@ -157,6 +157,14 @@ def _names(expr: Expr | None) -> Iterator[str]:
 
 def _qos(site: Site) -> Expr | None:
     return next(positions(site.form.qos, site.call), None) if not site.form.fixed else None
+
+
+def _deciding(site: Site) -> Iterator[Expr | None]:
+    """The arguments of a call that its endpoint is made of: name, profile, type and default."""
+    yield name_argument(site.form, site.call)
+    yield _qos(site)
+    yield from positions(site.form.type, site.call)
+    yield from positions(site.form.default, site.call)
 
 
 def _whole(expr: Expr | None) -> Expr | None:

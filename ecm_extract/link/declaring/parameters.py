@@ -127,10 +127,9 @@ class Parameters:
         form = self._form(call)
         if form is None:
             return self._wrapped_out(call)
-        out = next(positions(form.out, call), None)
-        if out is None or len(call.args) < 3:
-            return None
-        return ReadInto(call.at, out, call.args[0], next(positions(form.default, call), None))
+        out, default = (next(positions(where, call), None) for where in (form.out, form.default))
+        # of `param("rate", 5)`, which returns what is read, the second argument is the default and not written to
+        return None if out is None or out is default else ReadInto(call.at, out, call.args[0], default)
 
     def _wrapped_out(self, call: Invocation) -> ReadInto | None:
         """A helper that writes the parameter to a variable that it gets by reference."""

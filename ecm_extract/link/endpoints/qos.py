@@ -16,8 +16,11 @@ from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.endpoints.qos_made import PROFILE, QUEUE, QUEUE_OF, QosMade
+from ecm_extract.link.endpoints.qos_own import OwnProfiles
+from ecm_extract.link.endpoints.qos_picked import PRESETS, PickedProfiles
 from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, preset_of, presets
 from ecm_extract.link.endpoints.qos_values import (
+    BY_KEY,
     milliseconds,
     policy_asked,
     policy_called,
@@ -27,7 +30,6 @@ from ecm_extract.link.endpoints.qos_values import (
 from ecm_extract.link.endpoints.qos_variables import QosVariables
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 
 _FLAGS: dict[str, tuple[str, str]] = {
@@ -47,8 +49,6 @@ _WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", QUEUE_OF, "Keep
     "copy.copy",
     "copy.deepcopy",
 }
-_PRESETS = "QoSPresetProfiles"
-_BY_KEY = "get_from_short_key"
 _BASIC = ("reliability", "durability", *QUEUE)
 _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_namespace_conventions"}) | {
     "get_rmw_qos_profile",
@@ -65,7 +65,9 @@ class QosReader:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.variables = QosVariables(folder, self)
+        self.picked = PickedProfiles(folder)
         self.made = QosMade(folder, self)
+        self.own = OwnProfiles(folder, self, self.made)
 
     def read(self, expr: Expr | None, env: Env) -> Qos:
         """Return the profile of a ROS 2 endpoint; without an expression the default one."""
@@ -104,9 +106,10 @@ class QosReader:
     def _of_kind(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
         if isinstance(expr, Number):
             return {"history": "keep_last", "depth": truncated(expr.value)}
-        listed = self.folder.tables.element(expr, env, likely=True) if isinstance(expr, Call | Op) else None
+        listed = self.picked.element(expr, env)
         if listed is not None:
-            return self.policies(listed.expr, listed.env.deeper(env.depth + 1), level + 1)
+            changed = self.variables.is_changed_by_other_name(expr, env)
+            return {**UNSEEN} if changed else self.policies(listed.expr, listed.env.deeper(env.depth + 1), level + 1)
         if isinstance(expr, Call):
             return self._call(expr, env, level)
         preset = self._preset(expr, env, level)
@@ -114,22 +117,13 @@ class QosReader:
             return preset
         if isinstance(expr, Name | Member):
             return self._variable(expr, env, level)
-        if isinstance(expr, Op) and expr.op == "[]":
-            each = self.folder.tables.element(expr, env, likely=True)
-            return self._element(each, level) if each is not None else self._unseen(expr, env)
         if isinstance(expr, Op) and expr.op == "?:":
-            return agreed([self.policies(branch, env, level + 1) for branch in self._branches(expr, env)])
+            return agreed([self.policies(branch, env, level + 1) for branch in self.picked.likely_side(expr, env)])
         if isinstance(expr, Op) and expr.op == "||":
             return self._first(expr, env, level)
         if isinstance(expr, Items) and expr.items:
             return self.made.of_items(expr.items, env, level + 1)
         return {} if isinstance(expr, Items | Lambda | Constant) else self._unseen(expr, env)
-
-    def _branches(self, expr: Op, env: Env) -> tuple[Expr, ...]:
-        """What a conditional can be: one side where its condition is known, as by the default of a parameter."""
-        values = {value.text.lower() for value in self.folder.fold(expr.operands[0], env)}
-        known = {"true": expr.operands[1:2], "false": expr.operands[2:]}
-        return known.get(values.pop(), expr.operands[1:]) if len(values) == 1 else expr.operands[1:]
 
     def _first(self, expr: Op, env: Env, level: int) -> dict[str, Any]:
         """`given or QoSProfile(depth=1)`: the first that is anything, each that may be the first."""
@@ -160,7 +154,7 @@ class QosReader:
         """A profile of a client library by its name; None for what the tree gives the same name."""
         if isinstance(expr, Member) and expr.name == "value":  # `QoSPresetProfiles.SENSOR_DATA.value`
             expr = expr.base
-        written = dotted_name(expr)
+        written = self.picked.enumerator(expr, env) or dotted_name(expr)
         found = presets().get(self._spelled(written, env)) if written else None
         if found is None or self.folder.scope.constant(written, env) is not None:
             return None
@@ -179,10 +173,10 @@ class QosReader:
         if isinstance(callee, Member) and not (dotted_name(callee) and env.func.file.language == "python"):
             return self._method(callee, expr, env, level)
         name = last_name(dotted_name(callee) or (callee.id if isinstance(callee, Name) else ""))
-        own = self._own_class(expr, env, level)
+        own = self.own.of_call(expr, env, level)
         if own is not None:
             return own
-        if isinstance(callee, Member) and name in {"get", _BY_KEY} and expr.args:
+        if isinstance(callee, Member) and name in {"get", BY_KEY} and expr.args:
             return self._by_key(callee, expr, env, level)
         found = presets().get(name)
         if found is not None:
@@ -199,8 +193,8 @@ class QosReader:
 
     def _by_key(self, callee: Member, expr: Call, env: Env, level: int) -> dict[str, Any]:
         """`TABLE.get("key", default)`, or a preset of rclpy by its short name."""
-        if callee.name == _BY_KEY:
-            found = presets().get(f"{_PRESETS}.{self.folder.fold(expr.args[0], env)[0].text.upper()}")
+        if callee.name == BY_KEY:
+            found = presets().get(f"{PRESETS}.{self.folder.fold(expr.args[0], env)[0].text.upper()}")
             return {**found[1], "profile": found[0]} if found is not None else {**UNSEEN}
         each = self.folder.tables.element_or(callee.base, expr.args, env)
         return self._element(each, level) if each is not None else self._function(expr, env, level)
@@ -213,22 +207,6 @@ class QosReader:
         if callee.name in _SETTERS:
             return {**self.policies(callee.base, env, level + 1), **self.set_by(expr, env)}
         return self._function(expr, env, level)
-
-    def _own_class(self, expr: Call, env: Env, level: int) -> dict[str, Any] | None:
-        """A profile class of the tree: what its constructor hands to its base, then what it sets on itself."""
-        call = invocation_of(expr, env)
-        cls = self.folder.program.class_named(call.path, env.func.file, env.scope)
-        maker = self.folder.objects.constructor(cls, len(call.args)) if cls is not None else None
-        if cls is None or maker is None:
-            return None
-        policies: dict[str, Any] = {}
-        for at, statement in enumerate(maker.fact.body):
-            inner = Env(maker, at, bind(maker, call, env), this=cls, depth=env.depth + 1)
-            if statement.kind == "init" and statement.value is not None:
-                policies |= self.policies(statement.value, inner, level + 1)
-            elif statement.kind == "do" and isinstance(statement.value, Call):
-                policies |= self.chain(statement.value, inner) or self.set_by(statement.value, inner)
-        return policies
 
     def set_by(self, expr: Call, env: Env) -> dict[str, Any]:
         """Return what one setter sets."""
@@ -266,7 +244,8 @@ class QosReader:
 
     def _words_of(self, value: Expr, env: Env, level: int) -> set[str]:
         if isinstance(value, Op) and value.op == "?:":
-            return {word for branch in self._branches(value, env) for word in self._words(branch, env, level + 1)}
+            sides = self.picked.likely_side(value, env)
+            return {word for side in sides for word in self._words(side, env, level + 1)}
         asked = policy_asked(value)
         if asked is not None:
             return {policy_called(each.text) or "unknown" for each in self.folder.fold(asked, env)}
@@ -276,8 +255,9 @@ class QosReader:
         bound = env.args.get(value.id) if isinstance(value, Name) else None
         if bound is not None:
             return self._words(bound.expr, bound.env, level + 1)
-        found = {word for held in self.folder.origins.of(value, env) for word in self._words_held(held, level)}
-        return found or {"unknown"}
+        likely = [held for way in self.folder.flow.ways(value, env, likely=True) for held in way]
+        helds = likely if likely and all(held.how == "value" for held in likely) else self.folder.origins.of(value, env)
+        return {word for held in helds for word in self._words_held(held, level)} or {"unknown"}
 
     def _words_held(self, held: Held, level: int) -> set[str]:
         if held.how != "value" or held.expr is None or held.env is None:

@@ -18,6 +18,8 @@ _NUMBERED = {
     "liveliness": ("system_default", "automatic"),
 }
 """Source: rmw/types.h, from zero on."""
+BY_KEY = "get_from_short_key"
+"""The method of enumerations of rclpy that gives an enumerator by its name in lower case (rclpy/qos.py)."""
 _ENUMERATION = "Policy"
 _UNITS = {"s": 1000.0, "ms": 1.0, "us": 0.001, "ns": 1e-6, "min": 60000.0, "h": 3600000.0}
 
@@ -38,11 +40,13 @@ def policy_called(name: str) -> str:
 
 
 def policy_asked(expr: Expr) -> Expr | None:
-    """Return the name by which a policy is asked for: `Reliability[name]`, `getattr(Reliability, name)`."""
+    """Return the name by which a policy is asked for: `Reliability[name]`, `Reliability.get_from_short_key(name)`."""
     if isinstance(expr, Op) and expr.op == "[]" and len(expr.operands) == 2:
         owner, name = expr.operands
     elif isinstance(expr, Call) and expr.callee == Name("getattr") and len(expr.args) >= 2:
         owner, name = expr.args[:2]
+    elif isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name == BY_KEY and expr.args:
+        owner, name = expr.callee.base, expr.args[0]
     else:
         return None
     return name if last_name(dotted_name(owner)).rpartition(".")[2].endswith(_ENUMERATION) else None

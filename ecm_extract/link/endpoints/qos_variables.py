@@ -9,6 +9,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member,
 from ecm_parsers.source.facts import Constant as Variable
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.run import Run
@@ -22,6 +23,8 @@ from ecm_extract.link.running.env import Env
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
+_FIXED = frozenset({"const", "constexpr"})
+"""Traits of variables of C++ that nobody changes."""
 _REMADE = "emplace"
 """The method of an optional that makes what it holds."""
 Policies = dict[str, Any]
@@ -155,7 +158,8 @@ class QosVariables:
             return self._passed(held.name, inner, level)
         cls = inner.this or inner.func.cls
         if held.how in {"given", "shared"} and _is_member(held.name) and cls is not None:
-            return self._of_member(held.name, cls, inner, level)
+            begun = self._as_begun(held.name[1:], cls, inner, level) if held.how == "given" else None
+            return begun if begun is not None else self._of_member(held.name, cls, inner, level)
         return dict(UNSEEN) if held.how in {"lost", "stored", "read"} else None
 
     def _handed_out(self, held: Held, env: Env, level: int) -> Policies:
@@ -184,7 +188,8 @@ class QosVariables:
         """What a variable is where the function at hand leaves it alone."""
         cls = env.this or env.func.cls
         if _is_member(key) and cls is not None:
-            return self._of_member(key, cls, env, level)
+            begun = self._as_begun(key[1:], cls, env, level)
+            return begun if begun is not None else self._of_member(key, cls, env, level)
         if key in env.func.given:
             return self._passed(key, env, level)
         ways = self.folder.flow.ways(expr, env)
@@ -249,6 +254,13 @@ class QosVariables:
         whole = self._any_of(helds, place, level) if given else begun if parts else None
         return None if whole is None else self._with_parts(whole, parts, run.end)
 
+    def _as_begun(self, name: str, cls: Cls, env: Env, level: int) -> Policies | None:
+        """What a member of C++ is declared with, in the constructor of its class, which has left it alone so far."""
+        owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
+        if owner is None or env.func.file.language != "cpp" or not env.func.is_constructor or owner is not env.func.cls:
+            return None
+        return self._declared(name, cls, env, level)
+
     def _type_of(self, name: str, cls: Cls) -> str:
         return next((each.fields[name].type for each in self.folder.program.ancestry(cls) if name in each.fields), "")
 
@@ -265,10 +277,19 @@ class QosVariables:
     def is_changed_elsewhere(self, expr: Name | Member, variable: Variable, file: File, env: Env) -> bool:
         """Tell whether functions change a profile, or fields of it, that a module or a namespace has."""
         if file.language == "cpp":
-            return bool(self.folder.outside.changers(dotted_name(expr).replace(".", "::"), env.func))
+            fixed = not _FIXED.isdisjoint(variable.traits) and not variable.type.endswith(("*", "&"))
+            return not fixed and bool(self.folder.outside.changers(dotted_name(expr).replace(".", "::"), env.func))
         own = f"{last_name(variable.scope)}.{variable.name}" if variable.scope else variable.name
         outlines = (self.folder.flow.outline(func) for func in self.folder.program.functions_in(file))
         return any(_changes(outline, own) for outline in outlines if not outline.is_module)
+
+    def is_changed_by_other_name(self, element: Expr, env: Env) -> bool:
+        """Tell whether a function of Python changes fields of what it took out of the table that an element is of."""
+        outline = self.folder.flow.outline(env.func)
+        root = outline.effects.root(element.callee if isinstance(element, Call) else element)
+        fields = {key.rpartition(".")[0] for key in outline.changes if "." in key[1:]} if outline.python else set()
+        named = (each for each in env.func.fact.body if fields.intersection(outline.bound_keys(each.target)))
+        return any(outline.effects.key(one) == root for each in named for one in shared_names(each.value))
 
     def left_by_module(self, expr: Name | Member, file: File, env: Env, level: int) -> Policies | None:
         """Return what the body of a module of Python leaves a profile of it with, of which it changes fields."""

@@ -231,9 +231,8 @@ class MemberFolder:
         others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
         others = others or list(self.initial(name, cls, env))
         filled = [value for value in others or values if value.text]
-        any_ = self.folder.python_fields.any_is_given(cls)
-        open_ = [unknown(name)] if any_ or self._is_others(name, cls) else []
-        return alternatives([*(filled or others or values), *open_]) if values else ()
+        others_give = self.folder.python_fields.any_is_given(cls) or self._is_others(name, cls)
+        return alternatives([*(filled or others or values), *[unknown(name)] * others_give]) if values else ()
 
     def _is_left_alone(self, cls: Cls, making: Collection[Func], env: Env) -> bool:
         """Tell whether a constructor that can have made an object of C++ leaves a member as its default."""
@@ -268,7 +267,8 @@ class MemberFolder:
     def is_given(self, name: str, cls: Cls) -> bool:
         """Tell whether others than the methods of a class give a member of some object of it something."""
         if cls.file.language == "python":
-            remade = any("remade" in entry.fact.traits for entry in self.folder.program.ancestry(cls))
+            lineage = self.folder.program.ancestry(cls)
+            remade = any("remade" in each.fact.traits or self.folder.names.is_changed(each, name) for each in lineage)
             return remade or bool(self.folder.scope.assigned_outside(name, "python"))
         return self.folder.given_fields.is_given(name, cls)
 

@@ -209,7 +209,7 @@ class NameFolder:
 
     def at_class(self, owner: Cls, this: Cls, env: Env) -> Env:
         """Return a place at which names mean what they mean in the body of a class, of an object of one."""
-        python = owner.file.language == "python" and owner.file is not env.func.file
+        python = owner.file.language == "python"
         func = self.at_file(owner.file, env).func if python else env.func
         return Env(func, depth=env.depth + 1, this=this)
 

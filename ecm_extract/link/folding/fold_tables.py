@@ -12,7 +12,7 @@ from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import is_map
 from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
-from ecm_extract.link.code.own import is_own_member
+from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
@@ -95,6 +95,8 @@ class TableFolder:
         if isinstance(expr, Op) and expr.op == "[]":
             each = self.element(expr, env)
             return self.entries(each.expr, each.env.deeper(env.depth + 1)) if each is not None else None
+        if isinstance(expr, Op) and expr.op == "|":
+            return _one_after_the_other([self.entries(side, env) for side in expr.operands])
         return self._entries_of_variable(expr, env) if isinstance(expr, Name | Member) else None
 
     def _entries_of_variable(self, expr: Name | Member, env: Env) -> list[Entry] | None:
@@ -149,6 +151,10 @@ class TableFolder:
             dotted = dotted_name(expr)
             own = self.folder.lists.declared(expr, env) if is_own_member(expr) else None
             return self.entries(own.expr, own.env) if own is not None else self.folder.names.module_entries(dotted, env)
+        if self.folder.flow.effects(env.func).key(expr).startswith("."):
+            own = self.folder.lists.declared(expr, env)
+            written = self.folder.scope.member_type(own_name(expr), env.this or env.func.cls)
+            return self._pairs(own.expr, own.env) if own is not None and "map" in written else None
         found = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
         if found is not None and found[0].value is not None and "map" in found[0].type:
             fixed = not self.folder.names.may_change(found[0].name, found[0], env)
@@ -161,15 +167,22 @@ class TableFolder:
             if call.path == "dataclasses.asdict":
                 found = self.folder.data_classes.entries(call, env)
                 return [Entry(Bound(Text(key), env), value) for key, value in found] if found is not None else None
-            if call.path == "dict" and not call.args:
-                return [Entry(Bound(Text(key), env), Bound(value, env)) for key, value in call.keywords]
-            copies = call.path == "dict" or (call.last == "copy" and call.receiver is not None)
-            base = call.args[0] if call.path == "dict" else call.receiver
-            return self.entries(base, env) if copies and len(call.args) <= 1 else self._returned_entries(call, env)
+            if call.path == "dict":
+                return self._made(call, env)
+            copies = call.last == "copy" and call.receiver is not None and not call.args
+            return self.entries(call.receiver, env) if copies else self._returned_entries(call, env)
         if call.receiver is None and is_map(call.path):
             listed = call.args[0] if len(call.args) == 1 else Items(call.args)
             return self._pairs(listed, env) if isinstance(listed, Items) else self.entries(listed, env)
         return self._returned_entries(call, env)
+
+    def _made(self, call: Invocation, env: Env) -> list[Entry] | None:
+        """The entries of `dict(other, key=value)`: those of the other one, and what is given by name over them."""
+        found = [self.entries(base, env) for base in call.args[:1]]
+        for key, value in call.keywords:
+            given = self.entries(value, env) if key == SPREAD else [Entry(Bound(Text(key), env), Bound(value, env))]
+            found.append(given)
+        return _one_after_the_other(found)
 
     def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
         callee = self.folder.returns.meant(call, env)
@@ -306,3 +319,9 @@ class TableFolder:
 def is_plain_table(expr: Table) -> bool:
     """Tell whether a display of a table has no other table spread into it."""
     return all(key != Constant("null") for key, _ in expr.entries)
+
+
+def _one_after_the_other(tables: Sequence[list[Entry] | None]) -> list[Entry] | None:
+    """The entries of several tables in one, where the last of a key counts; None where one of them is not known."""
+    known = [table for table in tables if table is not None]
+    return [entry for table in known for entry in table] if len(known) == len(tables) else None

@@ -44,7 +44,7 @@ class Composition:
 def composition_of(modules: Modules, references: References) -> Composition:
     """Return which modules run in which program and inside which other module."""
     found = Composition()
-    for module in dict.fromkeys(modules.by_main.values()):
+    for module in modules.programs():
         found.programs[module.package, module.name].append(Part(module))
     composer = _Composer(modules, references)
     for module in modules.by_class.values():
@@ -72,7 +72,9 @@ class _Composer:
         nested = _nests(module.cls)
         for unit in self._outermost(module.cls):
             if isinstance(unit, Func):
-                _add(found.programs[unit.file.package, self.modules.registry.programs[unit]], Part(module))
+                registry = self.modules.registry
+                for built in registry.builds.get(unit, {"": registry.programs[unit]}).values():
+                    _add(found.programs[unit.file.package, built], Part(module))
                 continue
             owner = self.modules.by_class[unit]
             for name in self._names(calls, unit) or [None]:

@@ -7,7 +7,7 @@ that uses the helper; one that nobody uses belongs to the package's library.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 
 from ecm_checker.match.generated import snake
@@ -34,6 +34,7 @@ class Module:
         kind: as in the contract. cls: its class; None for a program or library.
         main: main function of a program.
         path, line: where it is declared.
+        target: what builds it of a program whose main function several targets compile; empty for any.
     """
 
     package: str
@@ -43,6 +44,7 @@ class Module:
     main: Func | None
     path: str
     line: int
+    target: str = ""
 
 
 @dataclass(slots=True)
@@ -53,6 +55,8 @@ class Registry:
         classes: class -> kind, of plugins and components.
         names: class -> name that a loader or executable gives it.
         programs: main function -> executable name.
+        builds: main function that several targets compile -> these, with the names of their executables.
+        starting: package -> its targets that are no libraries: programs and tests.
         libraries: source path -> library name.
         lookups: name that a loader asks for -> class.
     """
@@ -60,6 +64,8 @@ class Registry:
     classes: dict[Cls, str] = field(default_factory=dict)
     names: dict[Cls, str] = field(default_factory=dict)
     programs: dict[Func, str] = field(default_factory=dict)
+    builds: dict[Func, Mapping[str, str]] = field(default_factory=dict)
+    starting: dict[str, Set[str]] = field(default_factory=dict)
     libraries: dict[str, str] = field(default_factory=dict)
     lookups: dict[str, Cls] = field(default_factory=dict)
 
@@ -73,6 +79,7 @@ class Modules:
         self.registry = registry
         self.by_class: dict[Cls, Module] = {}
         self.by_main: dict[Func, Module] = {}
+        self.twins: dict[Module, Sequence[Module]] = {}
         self.libraries: dict[tuple[str, str], Module] = {}
         self.loaded = loaded_nodelets(references.sites, registry.lookups)
         self._loaders = {cls: [func for func, made in self.loaded.items() if cls in made] for cls in _all(self.loaded)}
@@ -146,7 +153,8 @@ class Modules:
             return self.owners(unit.cls)
         if not found:
             return (self.library(unit),)
-        return tuple(sorted(found, key=lambda module: (module.package, module.name, module.path)))
+        every = (each for module in found for each in (module, *self.twins.get(module, ())))
+        return tuple(sorted(every, key=lambda module: (module.package, module.name, module.path)))
 
     def _users(self, unit: Unit, module: Module | None) -> Iterable[Unit]:
         """A module class passes its endpoints on to who derives from it or loads it, a script to who imports it."""
@@ -172,8 +180,13 @@ class Modules:
         """A program that is started in two ways, by its file and by a function of it, is one."""
         known = (each for each in self.by_main.values() if each.path == unit.file.path and each.name == name)
         kind = "script" if unit.file.language == "python" else "node"
-        made = Module(unit.file.package, name, kind, None, unit, unit.file.path, unit.fact.line)
-        return next(known, made)
+        builds = self.registry.builds.get(unit) or {"": name}
+        made = [
+            Module(unit.file.package, built, kind, None, unit, unit.file.path, unit.fact.line, target)
+            for target, built in builds.items()
+        ]
+        self.twins[made[0]] = made[1:]
+        return next(known, made[0])
 
     def library(self, unit: Unit) -> Module:
         """Return the library module of the package of a unit."""
@@ -186,18 +199,23 @@ class Modules:
 
     def is_of_programs_only(self, file: File) -> bool:
         """Tell whether only programs compile a source, whose main functions are known: nobody else runs what it has."""
+        mains = (func.file for func in self.registry.programs if func.file.package == file.package)
+        return self._is_only_of(file, {target for main in mains for target in main.targets})
+
+    def _is_only_of(self, file: File, targets: Set[str]) -> bool:
+        """Whether a source is compiled by some targets only, and is no library's and no header."""
         if not file.targets or is_included(file.path) or file.path in self.registry.libraries:
             return False
-        mains = (func.file for func in self.registry.programs if func.file.package == file.package)
-        return set(file.targets) <= {target for main in mains for target in main.targets}
+        return set(file.targets) <= targets
 
     def links(self, module: Module, func: Func) -> bool:
         """Tell whether a program can have a function: not that of a source which only other programs compile."""
         file, main = func.file, module.main
         if main is None or file.package != module.package or not (file.all_targets and main.file.targets):
             return True
-        shares = set(file.targets) & set(main.file.targets) or file in self.program.included(main.file)
-        return bool(shares) or not self.is_of_programs_only(file)
+        own = {module.target} if module.target else set(main.file.targets)
+        shares = set(file.targets) & own or file in self.program.included(main.file)
+        return bool(shares) or not self._is_only_of(file, self.registry.starting.get(file.package, frozenset()))
 
     def note(self, programs: Iterable[Func]) -> None:
         """Make modules of programs that are nodes, though no endpoint is theirs."""
@@ -207,7 +225,12 @@ class Modules:
 
     def all(self) -> Sequence[Module]:
         """Return every module found so far."""
-        return [*self.by_class.values(), *dict.fromkeys(self.by_main.values()), *self.libraries.values()]
+        return [*self.by_class.values(), *self.programs(), *self.libraries.values()]
+
+    def programs(self) -> Sequence[Module]:
+        """Return every program found so far; one whose main function several targets compile for each of them."""
+        started = dict.fromkeys(self.by_main.values())
+        return [each for module in started for each in (module, *self.twins.get(module, ()))]
 
 
 def _all(loaded: Mapping[Func, Sequence[Cls]]) -> set[Cls]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from fnmatch import fnmatch
 from pathlib import PurePosixPath
@@ -109,6 +110,9 @@ def _namesake(cls: Cls, program: Program) -> Cls:
 
 
 def _targets(package: PackageFacts, listed: set[str], registry: Registry) -> None:
+    every = [target for file in package.cmake.values() for target in file.targets]
+    libraries = {target.name for target in every if target.kind == "library"}
+    registry.starting[package.name] = {target.name for target in every} - libraries
     for path, file in package.cmake.items():
         for target in file.targets:
             if target.kind == "library":
@@ -126,13 +130,16 @@ def _sources(target: Target, cmake: str, listed: set[str]) -> Iterator[str]:
 
 
 def _programs(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:
-    names = _executables(package, {file.path for file in files})
+    builds = _executables(package, {file.path for file in files})
+    names = {path: next(iter(found.values())) for path, found in builds.items()}
     entries = _entry_points(package, files, program)
     started = Wrapped(program)
     for file in files:
         for func in _mains(file, program, entries) if file.is_built else ():
             if (file, func.fact.name) in entries or not started.by_script(func):
                 registry.programs[func] = names.get(file.path) or _program_name(func, entries)
+                if len(builds.get(file.path, ())) > 1:
+                    registry.builds[func] = builds[file.path]
 
 
 def _program_name(func: Func, entries: Mapping[tuple[File, str], str]) -> str:
@@ -143,13 +150,14 @@ def _program_name(func: Func, entries: Mapping[tuple[File, str], str]) -> str:
     return entries.get((func.file, func.fact.name)) or only
 
 
-def _executables(package: PackageFacts, listed: set[str]) -> dict[str, str]:
-    found: dict[str, str] = {}
+def _executables(package: PackageFacts, listed: set[str]) -> Mapping[str, Mapping[str, str]]:
+    """Source -> the targets of executables that compile it -> what they are called when they are built."""
+    found: dict[str, dict[str, str]] = defaultdict(dict)
     for path, file in package.cmake.items():
         for target in file.targets:
             if target.kind == "executable":
                 for source in _sources(target, path, listed):
-                    found.setdefault(source, target.output or target.name)
+                    found[source].setdefault(target.name, target.output or target.name)
     return found
 
 

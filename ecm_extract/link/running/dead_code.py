@@ -16,9 +16,13 @@ from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.never_set import NeverSet
+from ecm_extract.link.running.sole_values import SoleValues
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
+
+_ENDING: Final = {"&&": False, "||": True}
+"""What one operand of an operator decides by itself, whatever the others are."""
 
 _FIXED: Final = frozenset({"constexpr", "define", "enum", "const"})
 
@@ -31,6 +35,7 @@ class DeadCode:
         self._dead: dict[Func, Set[int]] = {}
         self._assigned: Set[str] | None = None
         self._never_set = NeverSet(folder)
+        self._sole = SoleValues(folder)
 
     def has(self, func: Func, at: int) -> bool:
         """Tell whether it is proved that no run of a function gets to a statement."""
@@ -47,7 +52,13 @@ class DeadCode:
 
     def decided(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds whatever happens; None where that is open."""
-        return self.folder.flow.truth(test, env) if self._is_fixed(test, env.func) else None
+        test = self._sole.in_place(test, env.func)
+        if self._is_fixed(test, env.func):
+            return self.folder.flow.truth(test, env)
+        if not isinstance(test, Op) or test.op not in _ENDING:
+            return None
+        ends = _ENDING[test.op]
+        return ends if any(self.decided(part, env) is ends for part in test.operands) else None
 
     def _in(self, block: Block, func: Func) -> Iterator[int]:
         for at, step in enumerate(block):

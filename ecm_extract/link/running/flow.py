@@ -285,12 +285,12 @@ class Flow:
 
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""
-        key = (func, name)
-        known = self._changes.get(key)
-        if known is None:
+        if func.file.language == "cpp":
+            return any(each.startswith(f"{name}.") for each in self.outline(func).changes)
+        if (key := (func, name)) not in self._changes:
             self._changes[key] = True  # who asks in a circle is told that it may
-            known = self._changes[key] = self.effects(func).may_change(name)
-        return known
+            self._changes[key] = self.effects(func).may_change(name)
+        return self._changes[key]
 
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""

@@ -42,7 +42,16 @@ class GivenFields:
 
     def _is_changed(self, name: str, cls: Cls) -> bool:
         """Whether a function changes the field of some object in any other way: reads a parameter into it."""
-        return cls.file.language == "cpp" and self.folder.changed_outside.is_changed(name, cls)
+        outside = cls.file.language == "cpp" and self.folder.changed_outside.is_changed(name, cls)
+        return outside or self._is_shared(name, cls)
+
+    def _is_shared(self, name: str, cls: Cls) -> bool:
+        """Whether a field is one for all objects, and methods give it something, which other objects may run, too."""
+        owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
+        if owner is None or owner.file.language != "cpp" or "static" not in owner.fields[name].traits:
+            return False
+        touching = self.folder.scope.changing(name, owner)
+        return any(f".{name}" in self.folder.flow.outline(method).given for method in touching)
 
     def _in_braces(self, name: str, cls: Cls) -> bool:
         names = [field.name for field in cls.fact.fields]

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from typing import Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
-from ecm_extract.link.code.overloads import NO, is_countable, score
+from ecm_extract.link.code.overloads import fitting, is_countable
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.pointed import pointed as pointed_class
 from ecm_extract.link.code.spelling import is_pointer, last_name, plain, pointee, template_arguments
@@ -301,6 +301,8 @@ class Objects:
         """`Base::name()` means that of the base, whatever a derived class has, `library::name()` none of them."""
         owner = env.this or env.func.cls
         qualifier = last_name(call.path.rpartition("::")[0])
+        if env.func.file.language == "python" and env.func.fact.name != "<module>":
+            return None  # a bare name in a function of Python means no method, whatever the class has
         if not qualifier or owner is None:
             return owner
         return next((entry for entry in self.program.ancestry(owner) if entry.fact.name == qualifier), None)
@@ -308,7 +310,7 @@ class Objects:
     def methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
         """Return the methods of an object's class, or else of its nearest base, that fit a call."""
         owners, name = self.program.ancestry(cls) if cls is not None else (), call.last
-        found = (_fitting(call, [func for func in owner.methods if func.fact.name == name]) for owner in owners)
+        found = (fitting(call, [func for func in owner.methods if func.fact.name == name]) for owner in owners)
         return next((funcs for funcs in found if funcs), ())
 
     def _free(self, call: Invocation, env: Env) -> Sequence[Func]:
@@ -316,18 +318,7 @@ class Objects:
         owner = self.program.class_named(call.path.rpartition("::")[0], call.func.file, env.scope)
         methods = self.program.ancestry(owner) if owner is not None else ()
         named = [func for cls in methods for func in cls.methods if func.fact.name == call.last]
-        return _fitting(call, [*self.program.functions_named(call.path, call.func.file, env.scope), *named])
-
-
-def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
-    """The functions with a body that a call can mean, best first."""
-    scored = [(score(call, func), func) for func in funcs if _has_body(func)]
-    return [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
-
-
-def _has_body(func: Func) -> bool:
-    """Whether it is seen what a function does, be it nothing."""
-    return bool(func.fact.body) or not {"declaration", "pure", "deleted"} & set(func.fact.traits)
+        return fitting(call, [*self.program.functions_named(call.path, call.func.file, env.scope), *named])
 
 
 def _calls_super(call: Call, parent: Cls) -> bool:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Member
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.decorators import is_of_class
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.resolve.cpp_constants import Stated
@@ -41,7 +42,7 @@ class SharedVariables:
         own = _defined(func, stated)
         named = (key for key in changed if key.rpartition(".")[2] == name and "." in key)
         roots = [key.rpartition(".")[0] for key in named if key != own or outline.changes[key] > 1]
-        if any(self._leads_to(root, func, stated) for root in roots):
+        if any(self._leads_to(root, func, stated) for root in roots) or _gives_its_class(func, stated):
             return True
         is_local = name in outline.effects.own and func.fact.name != "<module>" and name not in func.fact.shared
         return name in changed and not is_local and self._means(name, func, stated)
@@ -51,7 +52,8 @@ class SharedVariables:
         constant = stated.constant
         if not constant.scope:
             return self._means(f"{root}.{constant.name}", func, stated)
-        named = root.rpartition(".")[2] in {last_name(constant.scope), "cls"}
+        named = root.rpartition(".")[2] in {last_name(constant.scope), "cls", "__class__"}
+        named = named or (not root and is_of_class(func))
         return named or not is_plain(constant.value)
 
     def _means(self, dotted: str, func: Func, stated: Stated) -> bool:
@@ -69,6 +71,17 @@ class SharedVariables:
                 for name in self.folder.shifting.names(func):
                     self._naming.setdefault(name, []).append(func)
         return self._naming
+
+
+def _gives_its_class(func: Func, stated: Stated) -> bool:
+    """Tell whether a function gives the class of its object something of that name: `type(self).topic = "x"`."""
+    targets = (entry.target for entry in func.fact.body if entry.kind == "set")
+    named = (each.base for each in targets if isinstance(each, Member) and each.name == stated.constant.name)
+    return bool(stated.constant.scope) and Call(Name("type"), (THIS,)) in map(_without_place, named)
+
+
+def _without_place(expr: Expr) -> Expr:
+    return Call(expr.callee, expr.args) if isinstance(expr, Call) else expr
 
 
 def _defined(func: Func, stated: Stated) -> str:

@@ -23,6 +23,7 @@ from ecm_parsers.source.python_named_tuples import made_class
 from ecm_parsers.source.python_partials import value_for
 from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught, types_suppressed
 from ecm_parsers.source.python_scan import Scan, StatementHandler
+from ecm_parsers.source.python_type_calls import type_assigned
 
 _DISPLAYS = ("tuple", "list", "expression_list")
 _LITERALS = frozenset(("string", "concatenated_string", "integer", "float", "true", "false", "none"))
@@ -341,6 +342,7 @@ STATEMENTS: Mapping[str, StatementHandler] = {
     "raise_statement": raised,
     "return_statement": _returned,
     "try_statement": _try,
+    "type_alias_statement": type_assigned,
     "while_statement": _while,
     "with_statement": _with,
 }
