@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Set
 from dataclasses import dataclass
-from functools import cache
 from typing import TYPE_CHECKING, Final, Literal, Protocol
 
 from ecm_parsers.source.cpp_logging import PRINTED
@@ -27,42 +26,16 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names
 from ecm_extract.infer.kinds import Exceptions
+from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.link.code.walk import calls_in, children
-from ecm_extract.shipped import shipped
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
 
 Kind = Literal["changed", "lost", "out", "handed", "swapped"]
 
-
 _SETATTR: Final = Name("setattr")
-
-
-@dataclass(frozen=True, slots=True)
-class Calls:
-    """What calls of the standard library of a language do; see calls.toml."""
-
-    changing: Set[str]
-    reading: Set[str]
-    iterators: Set[str]
-    waiting: Set[str]
-    calm: Set[str]
-    writing: Set[str]
-    searching: Set[str]
-    fluent: Set[str]
-    calling: Set[str]
-
-    def waits(self, call: Call) -> bool:
-        """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""
-        callee = call.callee
-        if isinstance(callee, Member):
-            return callee.name in self.waiting and not _is_text_or_path(callee.base)
-        return isinstance(callee, Name) and callee.id.rsplit("::", 1)[-1] in self.waiting
-
-
-_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching", "fluent", "calling")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -114,14 +87,6 @@ class Targets(Protocol):
     @property
     def exceptions(self) -> Exceptions:
         """Who knows what raises."""
-
-
-@cache
-def calls_of(language: str) -> Calls:
-    """Return the table of a language."""
-    table = shipped("infer/calls.toml")
-    own = {name: frozenset(table[language].get(name, ())) for name in _ROWS}
-    return Calls(**own, waiting=frozenset(table["waiting"]["names"]))
 
 
 class Effects:
@@ -321,11 +286,6 @@ class Effects:
 def is_within(key: str, name: str) -> bool:
     """Tell whether a variable is one of a name, or a field of that, at any depth."""
     return key == name or key.startswith(f"{name}.")
-
-
-def _is_text_or_path(expr: Expr) -> bool:
-    named = isinstance(expr, Member) and expr.name == "path"
-    return isinstance(expr, Text | Template) or named
 
 
 def is_plain(expr: Expr | None) -> bool:

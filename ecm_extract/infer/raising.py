@@ -9,8 +9,8 @@ from ecm_parsers.source.expr import THIS, Call, Comprehension, Expr, Member, Nam
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Branch, Loop, Step, Switch
 
-from ecm_extract.infer.effects import calls_of
 from ecm_extract.infer.kinds import standard_kind
+from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import children
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ecm_parsers.source.expr import Member, Name
 
-from ecm_extract.infer.effects import calls_of
+from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import whole_of
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.index.program import Program

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.effects import calls_of
 from ecm_extract.infer.judge import Kept
+from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.pointing import is_address
 from ecm_extract.link.code.containers import parts_of_elements
 from ecm_extract.link.code.numbers import kind_of_type

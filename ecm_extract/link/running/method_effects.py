@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Call, Member, Name
 
-from ecm_extract.infer.effects import calls_of
+from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Lambda
 
-from ecm_extract.infer.effects import calls_of
+from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.link.code.handing_on import hands_on
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.units import Cls, Func
