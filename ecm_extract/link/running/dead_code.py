@@ -10,16 +10,19 @@ from collections.abc import Iterable, Iterator, Set
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Constant, Expr, Member, Name, Number, Op, Text
-from ecm_parsers.source.flow import Block, Branch, Leave, Loop, Step, blocks, statements, steps
+from ecm_parsers.source.flow import Block, Branch, Leave, Loop, Step, Switch, blocks, statements, steps
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.given_once import GivenOnce
 from ecm_extract.link.running.never_set import NeverSet
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
+_CHAIN: Final = Constant("true")
+"""The subject of a switch that is a chain of `else if`."""
 _FIXED: Final = frozenset({"constexpr", "define", "enum", "const"})
 
 
@@ -31,6 +34,7 @@ class DeadCode:
         self._dead: dict[Func, Set[int]] = {}
         self._assigned: Set[str] | None = None
         self._never_set = NeverSet(folder)
+        self._given_once = GivenOnce(folder)
 
     def has(self, func: Func, at: int) -> bool:
         """Tell whether it is proved that no run of a function gets to a statement."""
@@ -53,6 +57,8 @@ class DeadCode:
         for at, step in enumerate(block):
             if isinstance(step, Branch):
                 yield from self._in_branch(step, func)
+            elif isinstance(step, Switch) and step.subject == _CHAIN:
+                yield from self._in_chain(step, func)
             elif isinstance(step, Loop) and step.test is not None and not step.first:
                 holds = self.decided(step.test, Env(func, 0))
                 yield from statements(step.body) if holds is False else self._in(step.body, func)
@@ -64,9 +70,21 @@ class DeadCode:
                 return
 
     def _in_branch(self, step: Branch, func: Func) -> Iterator[int]:
-        holds = self.decided(step.test, Env(func, 0))
+        holds = self._decided_in(step.test, step, func)
         for side, taken in ((step.then, True), (step.other, False)):
             yield from statements(side) if holds is (not taken) else self._in(side, func)
+
+    def _in_chain(self, step: Switch, func: Func) -> Iterator[int]:
+        """Of a chain of `else if` what no run gets to: what does not hold, and all behind what does."""
+        met = False
+        for case in step.cases:
+            holds = self._decided_in(case.tests[0], step, func) if case.tests else None
+            yield from statements(case.body) if met or holds is False else self._in(case.body, func)
+            met = met or holds is True
+
+    def _decided_in(self, test: Expr, step: Branch | Switch, func: Func) -> bool | None:
+        """Whether a test of a step holds, which may ask for what the function gave a literal before."""
+        return self.decided(self._given_once.put_in(test, func, min(_inside(step), default=0)), Env(func, 0))
 
     def _leaves(self, step: Step, func: Func) -> bool:
         """Whether a step surely leaves the block: a way out, a return, or both sides of a branch."""
@@ -76,7 +94,7 @@ class DeadCode:
             return True
         if not isinstance(step, Branch):
             return False
-        holds = self.decided(step.test, Env(func, 0))
+        holds = self._decided_in(step.test, step, func)
         sides = (step.then, step.other) if holds is None else (step.then if holds else step.other,)
         return all(any(self._leaves(inner, func) for inner in side) for side in sides)
 
@@ -116,3 +134,8 @@ class DeadCode:
                 for statement in func.fact.body:
                     if isinstance(statement.target, Member):
                         yield statement.target.name
+
+
+def _inside(step: Step) -> Iterator[int]:
+    """The statements within a step."""
+    return (at for inner in blocks(step) for at in statements(inner))
