@@ -108,7 +108,7 @@ class TableFolder:
         given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
         if given is not None:
             return self.entries(given.expr, given.env.deeper(env.depth + 1))
-        if self.folder.lists.is_others(expr, env):
+        if (isinstance(expr, Name) and expr.id in env.func.given) or self.folder.lists.is_others(expr, env):
             return None
         found = self.folder.lists.sources(expr, env)
         if found:

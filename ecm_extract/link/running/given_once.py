@@ -5,11 +5,13 @@ What tests them in the same function asks for what the source fixes, where that 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import THIS, Constant, Expr, Member, Name, Number, Op, Text
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.outline import Outline
 from ecm_extract.link.code.units import Cls, Func
 
 if TYPE_CHECKING:
@@ -24,23 +26,23 @@ class GivenOnce:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
 
-    def put_in(self, expr: Expr, func: Func, at: int) -> Expr:
-        """Return what a test asks at a statement, with what such variables were given before in their place."""
+    def put_in(self, expr: Expr, func: Func, before: Sequence[int]) -> Expr:
+        """Return what a test asks, with what statements that ran before gave such variables in their place."""
         if isinstance(expr, Op):
-            return Op(expr.op, tuple(self.put_in(part, func, at) for part in expr.operands))
-        given = self._value(expr, func, at) if isinstance(expr, Name | Member) else None
+            return Op(expr.op, tuple(self.put_in(part, func, before) for part in expr.operands))
+        given = self._value(expr, func, before) if isinstance(expr, Name | Member) else None
         return given if isinstance(given, Constant | Number | Text) else expr
 
-    def _value(self, expr: Name | Member, func: Func, at: int) -> Expr | None:
+    def _value(self, expr: Name | Member, func: Func, before: Sequence[int]) -> Expr | None:
         """What a local variable, or a member of an object of Python, was surely given; None for all others."""
         outline = self.folder.flow.outline(func)
         key = outline.effects.key(expr)
-        if not key or outline.changes.get(key) != 1 or key in outline.exposed | outline.escaped:
+        if not key or not _is_given_once(key, outline):
             return None
         if not (self._is_member(expr, func) if isinstance(expr, Member) else self._is_local(expr, func)):
             return None
-        before = (func.fact.body[place] for place in sorted(outline.certain) if place < at)
-        found = next((entry for entry in before if entry.target == expr), None)
+        ran = (func.fact.body[at] for at in before)
+        found = next((entry for entry in ran if entry.target == expr), None)
         return found.value if found is not None and _is_plain(found) else None
 
     def _is_local(self, expr: Name, func: Func) -> bool:
@@ -61,7 +63,18 @@ class GivenOnce:
         """Whether a class says what a member is in another way than by a function."""
         if self.folder.python_fields.any_is_given(cls) or any(each.fact.name == name for each in cls.methods):
             return True
-        return any(each is not func for each in self.folder.scope.changing(name, cls))
+        others = (each for each in self.folder.scope.changing(name, cls) if each is not func)
+        outlines = map(self.folder.flow.outline, others)
+        return any(f".{name}" in outline.given | outline.by_other_names for outline in outlines)
+
+
+def _is_given_once(key: str, outline: Outline) -> bool:
+    """Whether one statement of a function gives a variable something; who is handed a literal of Python leaves it."""
+    if not outline.python:
+        return outline.changes.get(key) == 1 and key not in outline.exposed
+    giving = (entry for entry in outline.func.fact.body if entry.kind != "do" and entry.target is not None)
+    count = sum(key in outline.bound_keys(entry.target) for entry in giving)
+    return count == 1 and key not in outline.escaped | outline.by_other_names
 
 
 def _is_plain(entry: Statement) -> bool:
