@@ -13,6 +13,7 @@ from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import is_map
 from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
 from ecm_extract.link.code.own import is_own_member
+from ecm_extract.link.folding.captured import captured, is_around
 from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
@@ -108,7 +109,10 @@ class TableFolder:
         given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
         if given is not None:
             return self.entries(given.expr, given.env.deeper(env.depth + 1))
-        if (isinstance(expr, Name) and expr.id in env.func.given) or self.folder.lists.is_others(expr, env):
+        if is_around(expr, env, self.folder):
+            around = captured(expr, env, self.folder)
+            return self.entries(around.expr, around.env) if around is not None else None
+        if self.folder.lists.is_others(expr, env):
             return None
         found = self.folder.lists.sources(expr, env)
         if found:

@@ -1,4 +1,4 @@
-"""Formats that a variable holds: `TOPIC = "{}/cmd"`, then `TOPIC.format(name)`, `TOPIC % name`, `fmt::format(t, name)`."""
+"""Formats that a variable holds: `TOPIC = "{}/cmd"`, then `TOPIC.format(x)`, `TOPIC % x`, `fmt::format(topic, x)`."""
 
 from __future__ import annotations
 
