@@ -291,6 +291,8 @@ class QosReader:
         if found is not None:
             return (self._depth_alone(expr, env) if found == UNSEEN else None) or found
         around = self.variables.of_function_around(expr, env)
+        if around is None and self.variables.is_own(expr, env):
+            return self._unseen(expr, env)
         return self.policies(expr, around, level + 1) if around is not None else self._constant(expr, name, env, level)
 
     def _constant(self, expr: Name | Member, name: str, env: Env, level: int) -> dict[str, Any]:

@@ -71,6 +71,11 @@ class QosVariables:
             return self._around(expr, key, env, level)
         return agreed([policies for policies in found if policies is not None])
 
+    def is_own(self, expr: Name | Member, env: Env) -> bool:
+        """Tell whether a name is a variable of the function at hand, which hides what stands outside of it."""
+        outline = self.folder.flow.outline(env.func)
+        return isinstance(expr, Name) and not outline.is_module and expr.id in outline.effects.own
+
     def of_function_around(self, expr: Name | Member, env: Env) -> Env | None:
         """Return the place in the function around the one at hand that has a variable; None for none of its own.
 
