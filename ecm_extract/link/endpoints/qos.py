@@ -12,19 +12,13 @@ from ecm_checker.contract import Qos
 from ecm_parsers.numbers import real, truncated
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
 
-from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.endpoints.qos_made import PROFILE, QUEUE, QUEUE_OF, QosMade
 from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, preset_of, presets
-from ecm_extract.link.endpoints.qos_values import (
-    milliseconds,
-    policy_asked,
-    policy_called,
-    policy_of_number,
-    policy_word,
-)
+from ecm_extract.link.endpoints.qos_values import milliseconds, policy_of_number
 from ecm_extract.link.endpoints.qos_variables import QosVariables
+from ecm_extract.link.endpoints.qos_words import MAX_DEPTH, QosWords
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.arguments import bind
@@ -56,7 +50,6 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
     "get",
 }
 _WITHOUT_DEPTH = frozenset({"keep_all", "system_default"})
-MAX_DEPTH = 12
 
 
 class QosReader:
@@ -66,6 +59,7 @@ class QosReader:
         self.folder = folder
         self.variables = QosVariables(folder, self)
         self.made = QosMade(folder, self)
+        self.words = QosWords(folder)
 
     def read(self, expr: Expr | None, env: Env) -> Qos:
         """Return the profile of a ROS 2 endpoint; without an expression the default one."""
@@ -118,18 +112,12 @@ class QosReader:
             each = self.folder.tables.element(expr, env, likely=True)
             return self._element(each, level) if each is not None else self._unseen(expr, env)
         if isinstance(expr, Op) and expr.op == "?:":
-            return agreed([self.policies(branch, env, level + 1) for branch in self._branches(expr, env)])
+            return agreed([self.policies(branch, env, level + 1) for branch in self.words.branches(expr, env)])
         if isinstance(expr, Op) and expr.op == "||":
             return self._first(expr, env, level)
         if isinstance(expr, Items) and expr.items:
             return self.made.of_items(expr.items, env, level + 1)
         return {} if isinstance(expr, Items | Lambda | Constant) else self._unseen(expr, env)
-
-    def _branches(self, expr: Op, env: Env) -> tuple[Expr, ...]:
-        """What a conditional can be: one side where its condition is known, as by the default of a parameter."""
-        values = {value.text.lower() for value in self.folder.fold(expr.operands[0], env)}
-        known = {"true": expr.operands[1:2], "false": expr.operands[2:]}
-        return known.get(values.pop(), expr.operands[1:]) if len(values) == 1 else expr.operands[1:]
 
     def _first(self, expr: Op, env: Env, level: int) -> dict[str, Any]:
         """`given or QoSProfile(depth=1)`: the first that is anything, each that may be the first."""
@@ -249,40 +237,12 @@ class QosReader:
         if key == "depth":
             return {"depth": self.number(value, env)}
         if key in _POLICIES:
-            words = {policy_of_number(key, value)} if isinstance(value, Number) else self._words(value, env)
+            words = {policy_of_number(key, value)} if isinstance(value, Number) else self.words.of(value, env)
             return {key: words.pop() if len(words) == 1 else "unknown"}
         if key in _TIMES:
             duration = milliseconds(value)
             return {_TIMES[key]: duration} if duration is not None else {}
         return {}
-
-    def _words(self, value: Expr, env: Env, level: int = 0) -> set[str]:
-        """The policies that a value can be, `unknown` among them for what the tree does not show."""
-        word = policy_word(value)
-        if word or level > MAX_DEPTH or not self.folder.steps.take(env):
-            return {word or "unknown"}
-        with self.folder.steps:
-            return self._words_of(value, env, level)
-
-    def _words_of(self, value: Expr, env: Env, level: int) -> set[str]:
-        if isinstance(value, Op) and value.op == "?:":
-            return {word for branch in self._branches(value, env) for word in self._words(branch, env, level + 1)}
-        asked = policy_asked(value)
-        if asked is not None:
-            return {policy_called(each.text) or "unknown" for each in self.folder.fold(asked, env)}
-        element = self.folder.tables.element(value, env, likely=True) if isinstance(value, Call | Op) else None
-        if element is not None:
-            return self._words(element.expr, element.env, level + 1)
-        bound = env.args.get(value.id) if isinstance(value, Name) else None
-        if bound is not None:
-            return self._words(bound.expr, bound.env, level + 1)
-        found = {word for held in self.folder.origins.of(value, env) for word in self._words_held(held, level)}
-        return found or {"unknown"}
-
-    def _words_held(self, held: Held, level: int) -> set[str]:
-        if held.how != "value" or held.expr is None or held.env is None:
-            return {"unknown"}
-        return self._words(held.expr, held.env, level + 1)
 
     def _variable(self, expr: Name | Member, env: Env, level: int) -> dict[str, Any]:
         name = expr.id if isinstance(expr, Name) else expr.name

@@ -58,12 +58,17 @@ class TableFolder:
 
     def chosen(self, entries: list[Entry], key: Expr, env: Env, likely: bool = False) -> Bound | None:
         """Return what a table surely has for a key, or has as long as nobody sets a parameter; None for undecided."""
+        entry, alike = self._last_alike(entries, key, env, likely)
+        return entry.value if entry is not None and alike else None
+
+    def _last_alike(self, entries: list[Entry], key: Expr, env: Env, likely: bool) -> tuple[Entry | None, bool]:
+        """The last entry that may have a key, and whether it has; none where no entry has it."""
         for entry in reversed(entries):
             place = self.folder.flow.naming(env, {"#key": entry.key})
             alike = self.folder.flow.alike(key, Name("#key"), place, likely)
             if alike is not False:
-                return entry.value if alike else None
-        return None
+                return entry, bool(alike)
+        return None, False
 
     def _having(self, entries: list[Entry], key: Expr, env: Env) -> tuple[list[Value], bool]:
         """The values of the entries that may have a key, the last first, and whether one of them surely has it."""
@@ -129,13 +134,13 @@ class TableFolder:
         return self.chosen(entries, place[1], env, likely)
 
     def element_or(self, table: Expr, given: Sequence[Expr], env: Env) -> Bound | None:
-        """Return what `table.get(key, default)` surely gives; None where that is not decided."""
+        """Return what `table.get(key, default)` gives as long as nobody sets a parameter; None for undecided."""
         entries = self.entries(table, env)
         if entries is None:
             return None
-        found, surely = self._having(entries, given[0], env)
-        if surely or found:
-            return self.chosen(entries, given[0], env)
+        entry, alike = self._last_alike(entries, given[0], env, likely=True)
+        if entry is not None:
+            return entry.value if alike else None
         return Bound(given[1], env) if len(given) == 2 else None
 
     def _displayed(self, expr: Table, env: Env) -> list[Entry] | None:
