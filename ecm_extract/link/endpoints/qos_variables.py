@@ -17,7 +17,7 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions, last_of
 from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, preset_of
-from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.env import Env, Instance
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -225,20 +225,40 @@ class QosVariables:
         return agreed(found)
 
     def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
-        """What its constructor makes of a member, or what it is declared with, and what other methods make of that."""
+        """What its constructor makes of a member, or what it is declared with, and what other methods make of that.
+
+        What it is declared with counts beside what other methods give it: some may run before.
+        """
         if (cls, key) in self._begun:
             return self._begun[cls, key]
+        if self.folder.changed_outside.is_changed(key[1:], cls):
+            return dict(UNSEEN)
         self._begun[cls, key] = self._declared(key[1:], cls, env, level)
         try:
             ends = list(self.folder.members.ends(key[1:], cls, env))
             made = self._left(key, cls, [end for end in ends if end[1].func.is_constructor], level)
             self._begun[cls, key] = agreed(made) if made else self._begun[cls, key]
             later = self._left(key, cls, [end for end in ends if not end[1].func.is_constructor], level)
-            declared = self._begun[cls, key] if not made and not later else None
-            found = [*made, *later, *([declared] if declared is not None else [])]
+            declared = self._begun[cls, key] if not made else None
+            stays = declared is not None and not (later and self._is_made_by_others(key, cls, env, level))
+            found = [*made, *later, *([declared] if declared is not None and stays else [])]
             return preset_of(self._type_of(key[1:], cls)) | agreed(found) if found else None
         finally:
             del self._begun[cls, key]
+
+    def _is_made_by_others(self, key: str, cls: Cls, env: Env, level: int) -> bool:
+        """Tell whether each constructor calls a method that gives a member something."""
+        ends = list(self._ends_of_makers(cls, env))
+        return bool(ends) and len(self._left(key, cls, ends, level)) == len(ends)
+
+    def _ends_of_makers(self, cls: Cls, env: Env) -> Iterable[tuple[Run | None, Env]]:
+        """Yield the run of each constructor of a class, or of the nearest base that has one, with its place."""
+        makers = next((each.constructors for each in self.folder.program.ancestry(cls) if each.constructors), [])
+        made = env.made if env.made is not None and env.made.cls is cls else Instance(cls, {}, {})
+        for maker in makers:
+            if maker.fact.body and self.folder.objects.runs(maker, env.made):
+                place = Env(maker, this=cls, made=made, depth=env.depth + 1)
+                yield self.folder.flow.run(place, whole=True), place
 
     def _left(self, key: str, cls: Cls, ends: Iterable[tuple[Run | None, Env]], level: int) -> list[Policies]:
         """What methods leave a member with that they give something."""
@@ -261,7 +281,7 @@ class QosVariables:
         """What a data member, its own or of a base, is declared with; None for no such."""
         owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
         field = owner.fields[name] if owner is not None else None
-        if owner is None or field is None or field.default is None:
+        if owner is None or field is None or field.default is None or isinstance(field.default, Constant):
             return (preset_of(field.type) or None) if field is not None else None
         left = self.left_by_module(Member(Name(owner.fact.name), name), owner.file, env, level)
         place = self.folder.names.at_class(owner, cls, env)

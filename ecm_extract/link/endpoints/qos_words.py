@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.endpoints.qos_values import policy_asked, policy_called, policy_word
+from ecm_extract.link.endpoints.qos_variables import QosVariables
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 
 MAX_DEPTH = 12
 """Nesting of evaluations."""
 _UNKNOWN = "unknown"
+_WORD = "word"
+"""The key of the one policy that a variable holds, where a profile has a key for each."""
 
 
 class QosWords:
@@ -21,6 +26,7 @@ class QosWords:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.variables = QosVariables(folder, self)
 
     def of(self, value: Expr, env: Env, level: int = 0) -> set[str]:
         """Return the policies that a value can be, `unknown` among them for what the tree does not show."""
@@ -29,6 +35,23 @@ class QosWords:
             return {word or _UNKNOWN}
         with self.folder.steps:
             return self._of_kind(value, env, level + 1) or {_UNKNOWN}
+
+    def policies(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
+        """Return the one policy that a value is, as what a variable of it holds."""
+        words = self.of(expr, env, level)
+        return {_WORD: words.pop() if len(words) == 1 else _UNKNOWN}
+
+    def chain(self, expr: Expr, env: Env) -> dict[str, Any]:
+        """Return nothing: no method changes a policy."""
+        return {}
+
+    def set_by(self, expr: Call, env: Env) -> dict[str, Any]:
+        """Return nothing: no method changes a policy."""
+        return {}
+
+    def assigned(self, key: str, value: Expr, env: Env) -> dict[str, Any]:
+        """Return nothing: a policy has no fields."""
+        return {}
 
     def branches(self, expr: Op, env: Env) -> tuple[Expr, ...]:
         """Return what a conditional can be: one side where its condition is known, as by the default of a parameter."""
@@ -47,10 +70,16 @@ class QosWords:
             return self.of(bound.expr, bound.env, level)
         if isinstance(value, Call):
             return self._returned(value, env, level)
+        return self._variable(value, env, level) if isinstance(value, Name | Member) else set()
+
+    def _variable(self, value: Name | Member, env: Env, level: int) -> set[str]:
         if self._may_change(value, env):
-            return {_UNKNOWN}
-        found = {word for held in self.folder.origins.of(value, env) for word in self._held(held, env, level)}
-        return found or self._of_constant(value, env, level)
+            return set()
+        found = self.variables.at(value, env, level)
+        if found is not None:
+            return {found.get(_WORD) or _UNKNOWN}
+        around = self.variables.of_function_around(value, env)
+        return self.of(value, around, level) if around is not None else self._of_constant(value, env, level)
 
     def _is_of_tree(self, value: Expr, env: Env) -> bool:
         """Whether a name is a variable of the tree, which holds any policy whatever it is called."""
@@ -62,9 +91,9 @@ class QosWords:
     def _is_own(self, value: Expr, env: Env) -> bool:
         return isinstance(value, Name) and value.id in self.folder.flow.outline(env.func).effects.own
 
-    def _of_constant(self, value: Expr, env: Env, level: int) -> set[str]:
+    def _of_constant(self, value: Name | Member, env: Env, level: int) -> set[str]:
         """What a module, a class or a namespace gives a variable that nobody changes."""
-        if not isinstance(value, Name | Member) or self._is_own(value, env):
+        if self._is_own(value, env):
             return set()
         name, names = dotted_name(value), self.folder.names
         if env.func.file.language == "python":
