@@ -17,7 +17,8 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions, last_of
 from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, preset_of
-from ecm_extract.link.running.env import Env, Instance
+from ecm_extract.link.folding.declared_members import is_surely_made
+from ecm_extract.link.running.env import Env
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -240,25 +241,11 @@ class QosVariables:
             self._begun[cls, key] = agreed(made) if made else self._begun[cls, key]
             later = self._left(key, cls, [end for end in ends if not end[1].func.is_constructor], level)
             declared = self._begun[cls, key] if not made else None
-            stays = declared is not None and not (later and self._is_made_by_others(key, cls, env, level))
+            stays = declared is not None and not (later and is_surely_made(key[1:], cls, env, self.folder))
             found = [*made, *later, *([declared] if declared is not None and stays else [])]
             return preset_of(self._type_of(key[1:], cls)) | agreed(found) if found else None
         finally:
             del self._begun[cls, key]
-
-    def _is_made_by_others(self, key: str, cls: Cls, env: Env, level: int) -> bool:
-        """Tell whether each constructor calls a method that gives a member something."""
-        ends = list(self._ends_of_makers(cls, env))
-        return bool(ends) and len(self._left(key, cls, ends, level)) == len(ends)
-
-    def _ends_of_makers(self, cls: Cls, env: Env) -> Iterable[tuple[Run | None, Env]]:
-        """Yield the run of each constructor of a class, or of the nearest base that has one, with its place."""
-        makers = next((each.constructors for each in self.folder.program.ancestry(cls) if each.constructors), [])
-        made = env.made if env.made is not None and env.made.cls is cls else Instance(cls, {}, {})
-        for maker in makers:
-            if maker.fact.body and self.folder.objects.runs(maker, env.made):
-                place = Env(maker, this=cls, made=made, depth=env.depth + 1)
-                yield self.folder.flow.run(place, whole=True), place
 
     def _left(self, key: str, cls: Cls, ends: Iterable[tuple[Run | None, Env]], level: int) -> list[Policies]:
         """What methods leave a member with that they give something."""

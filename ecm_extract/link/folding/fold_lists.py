@@ -24,6 +24,7 @@ from ecm_extract.link.code.containers import KEEPING, begins_empty, is_container
 from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.captured import captured, is_around
+from ecm_extract.link.folding.declared_members import only_source
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.made_lists import made_elements
 from ecm_extract.link.folding.open_lists import OpenLists
@@ -222,7 +223,7 @@ class ListFolder:
             return begun
         found = self.sources(expr, env)
         if found:
-            return self.folder.held.items(*found[0]) if len(found) == 1 else None
+            return self._left_in(expr, found, env)
         default = self._found(self.declared(expr, env))
         if isinstance(expr, Name):
             return default or self._constant(expr, env) or self.folder.enums.items(expr, env)
@@ -285,7 +286,7 @@ class ListFolder:
         if not key.startswith("."):
             return self._items(Name(name), entry) if "." not in key else None
         if not first or not env.func.is_constructor or cls is None:
-            return self._shared(name, entry)
+            return self._left_in(Member(THIS, name), self.sources(Member(THIS, name), entry), entry)
         for base in self.folder.program.bases(cls):
             found = self.folder.members.sources(name, base, entry)
             if found:
@@ -313,10 +314,10 @@ class ListFolder:
             return False
         return self.folder.changed_outside.is_changed(name, cls)
 
-    def _shared(self, name: str, env: Env) -> list[Bound] | None:
+    def _left_in(self, expr: Name | Member, given: list[tuple[Held, Env]], env: Env) -> list[Bound] | None:
         """What all methods together leave a member with."""
-        found = self.sources(Member(THIS, name), env)
-        return self.folder.held.items(*found[0]) if len(found) == 1 else None
+        only = only_source(expr, given, env, self.folder)
+        return self.folder.held.items(*only) if only is not None else None
 
     # --- calls that give lists ---------------------------------------------------------------------------------
 

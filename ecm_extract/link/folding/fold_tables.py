@@ -14,6 +14,7 @@ from ecm_extract.link.code.containers import is_map
 from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.folding.captured import captured, is_around
+from ecm_extract.link.folding.declared_members import only_source
 from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
@@ -121,7 +122,8 @@ class TableFolder:
             return None
         found = self.folder.lists.sources(expr, env)
         if found:
-            return self.held_entries(*found[0]) if len(found) == 1 else None
+            only = only_source(expr, found, env, self.folder)
+            return self.held_entries(*only) if only is not None else None
         left = self.folder.makers.left_in(expr, env) if isinstance(expr, Member) else None
         return self.held_entries(*left) if left is not None else self._declared_entries(expr, env)
 
@@ -209,8 +211,9 @@ class TableFolder:
         if held.how == "given":
             entered = self.folder.states.entered(held.name, env)
             return self.held_entries(entered, env) if entered is not None else self._given_entries(held.name, env)
-        found = self.folder.lists.sources(Member(THIS, held.name.rpartition(".")[2]), env)
-        return self.held_entries(*found[0]) if len(found) == 1 else None
+        member = Member(THIS, held.name.rpartition(".")[2])
+        only = only_source(member, self.folder.lists.sources(member, env), env, self.folder)
+        return self.held_entries(*only) if only is not None else None
 
     def _kept_entries(self, held: Held, env: Env) -> list[Entry] | None:
         inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
