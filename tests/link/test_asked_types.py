@@ -50,3 +50,30 @@ def test_a_read_of_python_tells_the_type(workspace: Any) -> None:
     """`.value` is of any type."""
     files = {"pkg/__init__.py": "", "pkg/demo.py": PYTHON, "setup.py": SETUP}
     assert _types(workspace.package(files)) == {"robot": "string", "port": None}
+
+
+INTO = """
+class Demo : public rclcpp::Node {
+public:
+  Demo() : Node("demo") {
+    declare_parameter("file"); declare_parameter("list"); declare_parameter("both"); declare_parameter("no"); declare_parameter("one");
+  }
+  void later() {
+    std::string text; int number;
+    get_parameter("file", text);
+    this->get_parameter("list", list_);
+    get_parameter("both", text); get_parameter("both", number);
+    other_->get_parameter("no", number);
+    get_parameter("one", number); one_ = get_parameter("one").as_string();
+  }
+  std::vector<double> list_; std::string one_; rclcpp::Node::SharedPtr other_;
+};
+int main(int c, char ** v) { rclcpp::init(c, v); rclcpp::spin(std::make_shared<Demo>()); }
+"""
+
+
+def test_a_variable_that_another_method_reads_into_tells_the_type(workspace: Any) -> None:
+    """Of variables of several types, and of another node, nothing is known."""
+    files = {"src/d.cpp": INTO, "CMakeLists.txt": "add_executable(d src/d.cpp)"}
+    types = {"file": "string", "list": "double_array", "both": None, "no": None, "one": None}
+    assert _types(workspace.package(files)) == types

@@ -184,7 +184,7 @@ def _python(step: Step, call: Call) -> Invocation:
     call = step.func.meant(call)
     callee = call.callee
     dotted = dotted_name(callee)
-    if dotted:
+    if dotted and dotted.rpartition(".")[0] not in step.func.file.variables:
         head, *rest = dotted.split(".")
         target = step.func.file.imported.get(head)
         if target is not None or not rest:

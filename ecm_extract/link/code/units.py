@@ -21,7 +21,7 @@ class File:
 
     `targets` are the names of those that compile it, `all_targets` whether no others do; `is_built` is False of a
     source that none does, as far as the build is known. `inner_classes` are those of Python that stand in other
-    classes, as `Outer::Inner`.
+    classes, as `Outer::Inner`, `variables` those of other modules whose methods it calls, as it writes them.
     """
 
     path: str
@@ -30,6 +30,7 @@ class File:
     facts: SourceFile
     imported: dict[str, str] = field(default_factory=dict)
     inner_classes: frozenset[str] = frozenset()
+    variables: frozenset[str] = frozenset()
     include_folders: tuple[str, ...] = ()
     is_built: bool = True
     targets: tuple[str, ...] = ()

@@ -22,7 +22,7 @@ from ecm_extract.link.running.values import Hole, Value
 
 MAX_CHAIN = 5
 """Calls through which a handle or a profile is followed."""
-_INITIALISING = frozenset({"init", "set"})
+_INITIALISING = frozenset({"init", "let", "set"})
 """Statements by which a constructor makes a member: in its initialiser list, or in its body."""
 
 
@@ -47,7 +47,7 @@ class Openness:
             made |= found.open
         made |= self._redefined(site, names)
         handle = _below_what(handle_argument(site.form, site.call), {"NodeHandle"})
-        for expr, accepts in ((handle, _is_handle), (_whole(_qos(site)), _is_qos)):
+        for expr, accepts in ((handle, _is_handle), (_qos(site), _is_qos)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
         return params, made
@@ -85,8 +85,11 @@ class Openness:
         """
         params: frozenset[str] = frozenset()
         made: frozenset[str] = frozenset()
-        pending, around = [(expr, site.env)], list(self.folder.nesting.around(site.root))
+        pending: Iterable[tuple[Expr | None, Env]] = [(expr, site.env)]
+        around = list(self.folder.nesting.around(site.root))
         for _ in range(MAX_CHAIN):
+            if accepts is _is_qos:
+                pending = [(part, env) for each, env in pending for part in _parts(each)]
             for each, env in pending:
                 found = self._accepted(each, env, accepts)
                 if env.func is site.root or (env.func in around and not env.func.is_constructor):
@@ -167,6 +170,18 @@ def _deciding(site: Site) -> Iterator[Expr | None]:
     yield from positions(site.form.default, site.call)
 
 
+def _parts(expr: Expr | None) -> Iterator[Expr | None]:
+    """What a profile is, or what the calls that make one and set its policies are given."""
+    whole = _whole(expr)
+    if not isinstance(whole, Call):
+        yield whole
+        return
+    callee = whole.callee
+    chained = [callee.base] if isinstance(callee, Member) and isinstance(callee.base, Call) else []
+    for part in (*chained, *whole.args, *(value for _, value in whole.keywords)):
+        yield from _parts(part)
+
+
 def _whole(expr: Expr | None) -> Expr | None:
     """The variable, or the member of the object at hand, that a profile is a field of; itself where it is none."""
     while isinstance(expr, Member) and expr.base != THIS:
@@ -188,11 +203,12 @@ def _below(statement: Statement) -> Expr | None:
 
 
 def _is_qos(name: str, func: Func) -> bool:
-    """Tell whether a function takes a profile or the length of a queue by this name; Python need not write a type."""
+    """Tell whether a function takes a profile, a policy or a length of a queue by this name; of any type in Python."""
     given = [entry.type for entry in func.fact.params if entry.name == name]
     if func.file.language == "python":
         return bool(given)
-    return any("qos" in written.lower() or declared_type(plain_type(written)) == "integer" for written in given)
+    plain = [plain_type(written) for written in given]
+    return any("qos" in each.lower() or each.endswith("Policy") or declared_type(each) == "integer" for each in plain)
 
 
 def _unknown(value: Value) -> Iterator[str]:

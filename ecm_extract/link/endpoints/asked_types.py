@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Callable, Iterator, Mapping, Set
 from functools import cache
 from typing import Final, NamedTuple
 
@@ -13,6 +13,8 @@ from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.folding.data import declared_type, plain_type
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.running.env import Env
 from ecm_extract.shipped import shipped_as
 
 _READ: Final = "get_parameter"
@@ -42,9 +44,16 @@ def asked_type(call: Invocation) -> str | None:
 
 
 class AskedElsewhere:
-    """Tells for what type the methods of a class, or a function, read a parameter by its name; each is read once."""
+    """Tells for what type the methods of a class, or a function, read a parameter by its name; each is read once.
 
-    def __init__(self) -> None:
+    Args:
+        folder: knows what they read parameters into.
+        type_of: gives the type of a parameter that a variable of C++ takes.
+    """
+
+    def __init__(self, folder: Folder, type_of: Callable[[Expr, Env], str | None]) -> None:
+        self.folder = folder
+        self._type_of = type_of
         self._of: dict[Cls | Func, frozenset[_Asked]] = {}
 
     def type_of(self, name: Expr | None, call: Invocation) -> str | None:
@@ -54,9 +63,18 @@ class AskedElsewhere:
             return None
         if unit not in self._of:
             methods = unit.methods if isinstance(unit, Cls) else (unit,)
-            self._of[unit] = frozenset(each for func in methods for each in _asked_in(func))
+            self._of[unit] = frozenset(each for func in methods for each in self._asked_in(func))
         found = {each.kind for each in self._of[unit] if each.name == name.value and each.node == _node(call.receiver)}
         return found.pop() if len(found) == 1 else None
+
+    def _asked_in(self, func: Func) -> Iterator[_Asked]:
+        yield from _asked_in(func)
+        for read in (each for reads in self.folder.reads.all_written(func).values() for each in reads):
+            kind = self._type_of(read.out, Env(func, read.at)) if func.file.language == "cpp" else None
+            calls = (call for call in func.calls[read.at] if read.out in call.args and read.name in call.args)
+            receiver = next((call.callee.base for call in calls if isinstance(call.callee, Member)), None)
+            if kind is not None and isinstance(read.name, Text):
+                yield _Asked(read.name.value, _node(receiver), kind)
 
 
 class _Asked(NamedTuple):

@@ -32,7 +32,7 @@ class EndpointTypes:
     def __init__(self, folder: Folder, types: Types) -> None:
         self.folder = folder
         self.types = types
-        self._asked = AskedElsewhere()
+        self._asked = AskedElsewhere(folder, self._out_type)
 
     def of(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
         """Return the type of a site, and the default of a parameter as data, `UNKNOWN` when nothing shows it."""

@@ -12,22 +12,15 @@ from ecm_checker.contract import Qos
 from ecm_parsers.numbers import real, truncated
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
 
-from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.endpoints.qos_made import PROFILE, QUEUE, QUEUE_OF, QosMade
 from ecm_extract.link.endpoints.qos_own import OwnProfiles
 from ecm_extract.link.endpoints.qos_picked import PRESETS, PickedProfiles
 from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, preset_of, presets
-from ecm_extract.link.endpoints.qos_values import (
-    BY_KEY,
-    milliseconds,
-    policy_asked,
-    policy_called,
-    policy_of_number,
-    policy_word,
-)
+from ecm_extract.link.endpoints.qos_values import BY_KEY, milliseconds, policy_of_number
 from ecm_extract.link.endpoints.qos_variables import QosVariables
+from ecm_extract.link.endpoints.qos_words import MAX_DEPTH, QosWords
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Bound, Env, invocation_of
@@ -56,7 +49,6 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
     "get",
 }
 _WITHOUT_DEPTH = frozenset({"keep_all", "system_default"})
-MAX_DEPTH = 12
 
 
 class QosReader:
@@ -68,6 +60,7 @@ class QosReader:
         self.picked = PickedProfiles(folder)
         self.made = QosMade(folder, self)
         self.own = OwnProfiles(folder, self, self.made)
+        self.words = QosWords(folder, self.picked)
 
     def read(self, expr: Expr | None, env: Env) -> Qos:
         """Return the profile of a ROS 2 endpoint; without an expression the default one."""
@@ -227,42 +220,12 @@ class QosReader:
         if key == "depth":
             return {"depth": self.number(value, env)}
         if key in _POLICIES:
-            words = {policy_of_number(key, value)} if isinstance(value, Number) else self._words(value, env)
+            words = {policy_of_number(key, value)} if isinstance(value, Number) else self.words.of(value, env)
             return {key: words.pop() if len(words) == 1 else "unknown"}
         if key in _TIMES:
             duration = milliseconds(value)
             return {_TIMES[key]: duration} if duration is not None else {}
         return {}
-
-    def _words(self, value: Expr, env: Env, level: int = 0) -> set[str]:
-        """The policies that a value can be, `unknown` among them for what the tree does not show."""
-        word = policy_word(value)
-        if word or level > MAX_DEPTH or not self.folder.steps.take(env):
-            return {word or "unknown"}
-        with self.folder.steps:
-            return self._words_of(value, env, level)
-
-    def _words_of(self, value: Expr, env: Env, level: int) -> set[str]:
-        if isinstance(value, Op) and value.op == "?:":
-            sides = self.picked.likely_side(value, env)
-            return {word for side in sides for word in self._words(side, env, level + 1)}
-        asked = policy_asked(value)
-        if asked is not None:
-            return {policy_called(each.text) or "unknown" for each in self.folder.fold(asked, env)}
-        element = self.folder.tables.element(value, env, likely=True) if isinstance(value, Call | Op) else None
-        if element is not None:
-            return self._words(element.expr, element.env, level + 1)
-        bound = env.args.get(value.id) if isinstance(value, Name) else None
-        if bound is not None:
-            return self._words(bound.expr, bound.env, level + 1)
-        likely = [held for way in self.folder.flow.ways(value, env, likely=True) for held in way]
-        helds = likely if likely and all(held.how == "value" for held in likely) else self.folder.origins.of(value, env)
-        return {word for held in helds for word in self._words_held(held, level)} or {"unknown"}
-
-    def _words_held(self, held: Held, level: int) -> set[str]:
-        if held.how != "value" or held.expr is None or held.env is None:
-            return {"unknown"}
-        return self._words(held.expr, held.env, level + 1)
 
     def _variable(self, expr: Name | Member, env: Env, level: int) -> dict[str, Any]:
         name = expr.id if isinstance(expr, Name) else expr.name
@@ -271,6 +234,8 @@ class QosReader:
         if found is not None:
             return (self._depth_alone(expr, env) if found == UNSEEN else None) or found
         around = self.variables.of_function_around(expr, env)
+        if around is None and self.variables.is_own(expr, env):
+            return self._unseen(expr, env)
         return self.policies(expr, around, level + 1) if around is not None else self._constant(expr, name, env, level)
 
     def _constant(self, expr: Name | Member, name: str, env: Env, level: int) -> dict[str, Any]:

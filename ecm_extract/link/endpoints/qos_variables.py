@@ -18,6 +18,7 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions, last_of
 from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, preset_of
+from ecm_extract.link.folding.declared_members import is_surely_made
 from ecm_extract.link.running.env import Env
 
 if TYPE_CHECKING:
@@ -73,6 +74,11 @@ class QosVariables:
         if not found or None in found:
             return self._around(expr, key, env, level)
         return agreed([policies for policies in found if policies is not None])
+
+    def is_own(self, expr: Name | Member, env: Env) -> bool:
+        """Tell whether a name is a variable of the function at hand, which hides what stands outside of it."""
+        outline = self.folder.flow.outline(env.func)
+        return isinstance(expr, Name) and not outline.is_module and expr.id in outline.effects.own
 
     def of_function_around(self, expr: Name | Member, env: Env) -> Env | None:
         """Return the place in the function around the one at hand that has a variable; None for none of its own.
@@ -225,17 +231,23 @@ class QosVariables:
         return agreed(found)
 
     def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
-        """What its constructor makes of a member, or what it is declared with, and what other methods make of that."""
+        """What its constructor makes of a member, or what it is declared with, and what other methods make of that.
+
+        What it is declared with counts beside what other methods give it: some may run before.
+        """
         if (cls, key) in self._begun:
             return self._begun[cls, key]
+        if self.folder.changed_outside.is_changed(key[1:], cls):
+            return dict(UNSEEN)
         self._begun[cls, key] = self._declared(key[1:], cls, env, level)
         try:
             ends = list(self.folder.members.ends(key[1:], cls, env))
             made = self._left(key, cls, [end for end in ends if end[1].func.is_constructor], level)
             self._begun[cls, key] = agreed(made) if made else self._begun[cls, key]
             later = self._left(key, cls, [end for end in ends if not end[1].func.is_constructor], level)
-            declared = self._begun[cls, key] if not made and not later else None
-            found = [*made, *later, *([declared] if declared is not None else [])]
+            declared = self._begun[cls, key] if not made else None
+            stays = declared is not None and not (later and is_surely_made(key[1:], cls, env, self.folder))
+            found = [*made, *later, *([declared] if declared is not None and stays else [])]
             return preset_of(self._type_of(key[1:], cls)) | agreed(found) if found else None
         finally:
             del self._begun[cls, key]
@@ -268,7 +280,7 @@ class QosVariables:
         """What a data member, its own or of a base, is declared with; None for no such."""
         owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
         field = owner.fields[name] if owner is not None else None
-        if owner is None or field is None or field.default is None:
+        if owner is None or field is None or field.default is None or isinstance(field.default, Constant):
             return (preset_of(field.type) or None) if field is not None else None
         left = self.left_by_module(Member(Name(owner.fact.name), name), owner.file, env, level)
         place = self.folder.names.at_class(owner, cls, env)

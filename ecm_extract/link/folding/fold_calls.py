@@ -25,6 +25,7 @@ from ecm_extract.link.folding import formats
 from ecm_extract.link.folding.conversions import converted
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of_parameter
+from ecm_extract.link.folding.held_formats import with_format
 from ecm_extract.link.folding.instances import is_instance
 from ecm_extract.link.folding.of_templates import spelled
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
@@ -121,7 +122,7 @@ class CallFolder:
             return self.folder.fold(value_of_parameter(call), env.before(env.at))
         if call.path in _PATH_JOINS and call.args and not call.keywords:
             return self._path(call, env.before(env.at))
-        formatted = formats.formatted(call)
+        formatted = formats.formatted(with_format(call, env.before(env.at), self.folder))
         if formatted is not None:
             return joined(self.folded_parts(formatted, env))
         return self._computed(call, expr, env.before(env.at))

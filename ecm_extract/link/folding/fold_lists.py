@@ -23,6 +23,8 @@ from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import KEEPING, begins_empty, is_container, makes_tuple
 from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.code.units import Cls
+from ecm_extract.link.folding.captured import captured, is_around
+from ecm_extract.link.folding.declared_members import only_source
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.made_lists import made_elements
 from ecm_extract.link.folding.open_lists import OpenLists
@@ -214,15 +216,15 @@ class ListFolder:
         given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
         if given is not None:
             return self.folder.iterators.of_given(expr, given, env)
-        if isinstance(expr, Name) and expr.id in env.func.given:
-            return None
+        if is_around(expr, env, self.folder):
+            return self._found(captured(expr, env, self.folder))
         begun = self._at_first(expr, env)
         if begun is not None or self.is_others(expr, env):
             return begun
         found = self.sources(expr, env)
         if found:
-            return self.folder.held.items(*found[0]) if len(found) == 1 else None
-        default = self._default(expr, env)
+            return self._left_in(expr, found, env)
+        default = self._found(self.declared(expr, env))
         if isinstance(expr, Name):
             return default or self._constant(expr, env) or self.folder.enums.items(expr, env)
         if default is not None:
@@ -232,7 +234,7 @@ class ListFolder:
             return self.folder.held.items(*left)
         field = self.folder.structures.listed(expr, env)
         if field is not None:
-            return self.items(field.expr, field.env)
+            return self._found(field)
         return self._shared_constant(expr, env) or self.folder.enums.items(expr, env)
 
     def _shared_constant(self, expr: Member, env: Env) -> list[Bound] | None:
@@ -254,9 +256,7 @@ class ListFolder:
         finally:
             self._searching.discard(key)
 
-    def _default(self, expr: Name | Member, env: Env) -> list[Bound] | None:
-        """What a member is declared with."""
-        found = self.declared(expr, env)
+    def _found(self, found: Bound | None) -> list[Bound] | None:
         return self.items(found.expr, found.env) if found is not None else None
 
     def declared(self, expr: Name | Member, env: Env) -> Bound | None:
@@ -286,12 +286,12 @@ class ListFolder:
         if not key.startswith("."):
             return self._items(Name(name), entry) if "." not in key else None
         if not first or not env.func.is_constructor or cls is None:
-            return self._shared(name, entry)
+            return self._left_in(Member(THIS, name), self.sources(Member(THIS, name), entry), entry)
         for base in self.folder.program.bases(cls):
             found = self.folder.members.sources(name, base, entry)
             if found:
                 return self.folder.held.items(*found[0]) if len(found) == 1 else None
-        default = self._default(Member(THIS, name), entry)
+        default = self._found(self.declared(Member(THIS, name), entry))
         empty = begins_empty(self.folder.scope.member_type(name, cls))
         return default if default is not None else [] if empty else None
 
@@ -314,10 +314,10 @@ class ListFolder:
             return False
         return self.folder.changed_outside.is_changed(name, cls)
 
-    def _shared(self, name: str, env: Env) -> list[Bound] | None:
+    def _left_in(self, expr: Name | Member, given: list[tuple[Held, Env]], env: Env) -> list[Bound] | None:
         """What all methods together leave a member with."""
-        found = self.sources(Member(THIS, name), env)
-        return self.folder.held.items(*found[0]) if len(found) == 1 else None
+        only = only_source(expr, given, env, self.folder)
+        return self.folder.held.items(*only) if only is not None else None
 
     # --- calls that give lists ---------------------------------------------------------------------------------
 

@@ -12,6 +12,7 @@ from ecm_parsers.source.expr import Name, Op, Text
 from ecm_extract.infer.compute import NULL, UNKNOWN, formatted, operate, streamed
 from ecm_extract.link.folding import formats
 from ecm_extract.link.folding.buffers import cut
+from ecm_extract.link.folding.held_formats import with_text
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
@@ -98,6 +99,7 @@ class OperatorFolder:
 
     def _percent(self, expr: Op, env: Env) -> tuple[Value, ...]:
         text, operand, *room = expr.operands
+        text = with_text(text, env, self.folder) if env.func.file.language == "python" else text
         if not isinstance(text, Text):
             return self._binary(expr, env)
         found = joined(self.folder.calls.folded_parts(formats.percent(text.value, operand), env))

@@ -13,6 +13,8 @@ from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import is_map
 from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
 from ecm_extract.link.code.own import is_own_member, own_name
+from ecm_extract.link.folding.captured import captured, is_around
+from ecm_extract.link.folding.declared_members import only_source
 from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
@@ -57,12 +59,17 @@ class TableFolder:
 
     def chosen(self, entries: list[Entry], key: Expr, env: Env, likely: bool = False) -> Bound | None:
         """Return what a table surely has for a key, or has as long as nobody sets a parameter; None for undecided."""
+        entry, alike = self._last_alike(entries, key, env, likely)
+        return entry.value if entry is not None and alike else None
+
+    def _last_alike(self, entries: list[Entry], key: Expr, env: Env, likely: bool) -> tuple[Entry | None, bool]:
+        """The last entry that may have a key, and whether it has; none where no entry has it."""
         for entry in reversed(entries):
             place = self.folder.flow.naming(env, {"#key": entry.key})
             alike = self.folder.flow.alike(key, Name("#key"), place, likely)
             if alike is not False:
-                return entry.value if alike else None
-        return None
+                return entry, bool(alike)
+        return None, False
 
     def _having(self, entries: list[Entry], key: Expr, env: Env) -> tuple[list[Value], bool]:
         """The values of the entries that may have a key, the last first, and whether one of them surely has it."""
@@ -110,11 +117,15 @@ class TableFolder:
         given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
         if given is not None:
             return self.entries(given.expr, given.env.deeper(env.depth + 1))
+        if is_around(expr, env, self.folder):
+            around = captured(expr, env, self.folder)
+            return self.entries(around.expr, around.env) if around is not None else None
         if self.folder.lists.is_others(expr, env):
             return None
         found = self.folder.lists.sources(expr, env)
         if found:
-            return self.held_entries(*found[0]) if len(found) == 1 else None
+            only = only_source(expr, found, env, self.folder)
+            return self.held_entries(*only) if only is not None else None
         left = self.folder.makers.left_in(expr, env) if isinstance(expr, Member) else None
         return self.held_entries(*left) if left is not None else self._declared_entries(expr, env)
 
@@ -127,13 +138,13 @@ class TableFolder:
         return self.chosen(entries, place[1], env, likely)
 
     def element_or(self, table: Expr, given: Sequence[Expr], env: Env) -> Bound | None:
-        """Return what `table.get(key, default)` surely gives; None where that is not decided."""
+        """Return what `table.get(key, default)` gives as long as nobody sets a parameter; None for undecided."""
         entries = self.entries(table, env)
         if entries is None:
             return None
-        found, surely = self._having(entries, given[0], env)
-        if surely or found:
-            return self.chosen(entries, given[0], env)
+        entry, alike = self._last_alike(entries, given[0], env, likely=True)
+        if entry is not None:
+            return entry.value if alike else None
         return Bound(given[1], env) if len(given) == 2 else None
 
     def _displayed(self, expr: Table, env: Env) -> list[Entry] | None:
@@ -213,8 +224,9 @@ class TableFolder:
         if held.how == "given":
             entered = self.folder.states.entered(held.name, env)
             return self.held_entries(entered, env) if entered is not None else self._given_entries(held.name, env)
-        found = self.folder.lists.sources(Member(THIS, held.name.rpartition(".")[2]), env)
-        return self.held_entries(*found[0]) if len(found) == 1 else None
+        member = Member(THIS, held.name.rpartition(".")[2])
+        only = only_source(member, self.folder.lists.sources(member, env), env, self.folder)
+        return self.held_entries(*only) if only is not None else None
 
     def _kept_entries(self, held: Held, env: Env) -> list[Entry] | None:
         inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)

@@ -19,6 +19,10 @@ _TEXT_READS = shipped_names(_TABLE, "parameter_texts_only")
 VALUE_READS = PARAMETER_READS | shipped_names(_TABLE, "texts")
 """Members and methods that give the text of what they are called on."""
 _JOINING = shipped_names(_TABLE, "slashes")
+BRACED = frozenset({"format", "format_map"})
+"""Methods of texts of Python that fill braces: docs.python.org, str.format."""
+FORMATTING = frozenset({"fmt::format", "std::format"})
+"""Functions of C++ that fill braces: en.cppreference.com, std::format; fmt.dev."""
 _MAX_INDEX = 6
 """Digits of an index that are read: no call has as many arguments."""
 _PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]")
@@ -53,7 +57,7 @@ def formatted(call: Invocation) -> list[Expr | str] | None:
     receiver, args = call.receiver, call.args
     if call.last == "format" and isinstance(receiver, Text):
         return braces(receiver.value, args, dict(call.keywords))
-    if call.path in {"fmt::format", "std::format"} and args and isinstance(args[0], Text):
+    if call.path in FORMATTING and args and isinstance(args[0], Text):
         return braces(args[0].value, args[1:], {})
     if call.last == "format_map" and isinstance(receiver, Text) and len(args) == 1:
         named: dict[str, Expr] = {

@@ -13,6 +13,7 @@ from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.base_lines import merged_lines
 from ecm_extract.link.index.class_alternatives import alternatives_joined
+from ecm_extract.link.index.imported_variables import imported_variables
 from ecm_extract.link.index.member_callables import settle_callables
 from ecm_extract.link.index.member_lists import settle_members
 from ecm_extract.resolve.cpp_constants import Stated
@@ -66,6 +67,8 @@ class Program:
             self._index(file)
             self._names.add(file, self.classes_in(file), self.functions_in(file))
         for file in self.files:
+            if file.language == "python":
+                file.variables = imported_variables(file, self.functions_in(file), self.constant_named)
             settle_members(self.functions_in(file), self._aliased)
         settle_callables(self.every_function(), lambda cls: (*self.ancestry(cls), *self.derived(cls)))
 

@@ -6,17 +6,17 @@ members that nobody gives anything. Values of what others may assign prove nothi
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Set
+from collections.abc import Iterable, Iterator, Sequence, Set
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Constant, Expr, Member, Name, Number, Op, Text
-from ecm_parsers.source.flow import Block, Branch, Leave, Loop, Step, blocks, statements, steps
+from ecm_parsers.source.flow import Block, Branch, Leave, Loop, Step, Switch, blocks, statements, steps
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.given_once import GivenOnce
 from ecm_extract.link.running.never_set import NeverSet
-from ecm_extract.link.running.sole_values import SoleValues
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 _ENDING: Final = {"&&": False, "||": True}
 """What one operand of an operator decides by itself, whatever the others are."""
 
+_CHAIN: Final = Constant("true")
+"""The subject of a switch that is a chain of `else if`."""
 _FIXED: Final = frozenset({"constexpr", "define", "enum", "const"})
 
 
@@ -35,7 +37,7 @@ class DeadCode:
         self._dead: dict[Func, Set[int]] = {}
         self._assigned: Set[str] | None = None
         self._never_set = NeverSet(folder)
-        self._sole = SoleValues(folder)
+        self._given_once = GivenOnce(folder)
 
     def has(self, func: Func, at: int) -> bool:
         """Tell whether it is proved that no run of a function gets to a statement."""
@@ -52,7 +54,6 @@ class DeadCode:
 
     def decided(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds whatever happens; None where that is open."""
-        test = self._sole.in_place(test, env.func)
         if self._is_fixed(test, env.func):
             return self.folder.flow.truth(test, env)
         if not isinstance(test, Op) or test.op not in _ENDING:
@@ -60,26 +61,44 @@ class DeadCode:
         ends = _ENDING[test.op]
         return ends if any(self.decided(part, env) is ends for part in test.operands) else None
 
-    def _in(self, block: Block, func: Func) -> Iterator[int]:
+    def _in(self, block: Block, func: Func, around: Sequence[int] = ()) -> Iterator[int]:
+        """Such statements of a block; `around`: those that have run when it begins."""
+        before = list(around)
         for at, step in enumerate(block):
-            if isinstance(step, Branch):
-                yield from self._in_branch(step, func)
+            if isinstance(step, int):
+                before.append(step)
+            elif isinstance(step, Branch):
+                yield from self._in_branch(step, func, before)
+            elif isinstance(step, Switch) and step.subject == _CHAIN:
+                yield from self._in_chain(step, func, before)
             elif isinstance(step, Loop) and step.test is not None and not step.first:
                 holds = self.decided(step.test, Env(func, 0))
-                yield from statements(step.body) if holds is False else self._in(step.body, func)
-            elif not isinstance(step, int | Leave):
+                yield from statements(step.body) if holds is False else self._in(step.body, func, before)
+            elif not isinstance(step, Leave):
                 for inner in blocks(step):
-                    yield from self._in(inner, func)
-            if self._leaves(step, func):
+                    yield from self._in(inner, func, before)
+            if self._leaves(step, func, before):
                 yield from statements(block[at + 1 :])
                 return
 
-    def _in_branch(self, step: Branch, func: Func) -> Iterator[int]:
-        holds = self.decided(step.test, Env(func, 0))
+    def _in_branch(self, step: Branch, func: Func, before: Sequence[int]) -> Iterator[int]:
+        holds = self._holds(step.test, func, before)
         for side, taken in ((step.then, True), (step.other, False)):
-            yield from statements(side) if holds is (not taken) else self._in(side, func)
+            yield from statements(side) if holds is (not taken) else self._in(side, func, before)
 
-    def _leaves(self, step: Step, func: Func) -> bool:
+    def _in_chain(self, step: Switch, func: Func, before: Sequence[int]) -> Iterator[int]:
+        """Of a chain of `else if` what no run gets to: what does not hold, and all behind what does."""
+        met = False
+        for case in step.cases:
+            holds = self._holds(case.tests[0], func, before) if case.tests else None
+            yield from statements(case.body) if met or holds is False else self._in(case.body, func, before)
+            met = met or holds is True
+
+    def _holds(self, test: Expr, func: Func, before: Sequence[int]) -> bool | None:
+        """Whether a test holds, which may ask for what the function gave a literal before."""
+        return self.decided(self._given_once.put_in(test, func, before), Env(func, 0))
+
+    def _leaves(self, step: Step, func: Func, before: Sequence[int]) -> bool:
         """Whether a step surely leaves the block: a way out, a return, or both sides of a branch."""
         if isinstance(step, int):
             return func.fact.body[step].kind == "return" or self.folder.flow.exceptions.calls_what_raises(func, step)
@@ -87,9 +106,9 @@ class DeadCode:
             return True
         if not isinstance(step, Branch):
             return False
-        holds = self.decided(step.test, Env(func, 0))
+        holds = self._holds(step.test, func, before)
         sides = (step.then, step.other) if holds is None else (step.then if holds else step.other,)
-        return all(any(self._leaves(inner, func) for inner in side) for side in sides)
+        return all(any(self._leaves(inner, func, before) for inner in side) for side in sides)
 
     # --- conditions ----------------------------------------------------------------------------------------
 
