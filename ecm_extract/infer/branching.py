@@ -134,6 +134,8 @@ class Branching:
         return self.blocks.run(step.final, met)
 
     def _handled(self, step: Attempt, state: State) -> State | None:
+        if not step.handlers:
+            return self.blocks.run(step.body, state)
         kind, func = self.frame.judge.exceptions.kind, self.frame.env.func
         self.exits.enter_attempt([tuple([kind(name, func) for name in each.types]) for each in step.handlers])
         done = self.blocks.run(step.body, state)

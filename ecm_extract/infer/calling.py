@@ -75,16 +75,20 @@ class Calling:
         on = [(call, self._object(call, env)) for call in calls]
         for key in dict.fromkeys(key for _, key in on if key is not None):
             state = self._on_object(key, [call for call, each in on if each == key], at, env, state)
-        state = self._through_objects(at, state)
+        state = self._through_objects(at, {key for _, key in on if key}, state)
         both = (self._of_receiver(call, at) for call, key in on if key == "")
         return self.memory.lost(state, {name for key in both if key for name in self.memory.names(key, state)})
 
-    def _through_objects(self, at: int, state: State) -> State:
-        """The state after methods of objects of Python, which may change what those have: `x.rows = b; x.go()`."""
+    def _through_objects(self, at: int, followed: set[str], state: State) -> State:
+        """The state after methods of objects of Python, which may change what those have: `x.rows = b; x.go()`.
+
+        What methods that are followed make of the fields of their object is known.
+        """
         for call in self.frame.env.func.calls[at] if self.frame.python else ():
             key = self.frame.effects.key(_receiver(call))
-            if key and any(lies_in(each, {key}) for each in state.holds) and not self._is_left(call, at):
-                state = self.memory.sharers_reached({key}, state)
+            if key and any("." in each[1:] for each in state.holds) and not self._is_left(call, at):
+                kept = {each: ways for each, ways in state.holds.items() if lies_in(each, {key} & followed)}
+                state = self.memory.sharers_reached({key}, state).having(kept)
         return state
 
     def _is_left(self, call: Call, at: int) -> bool:
@@ -224,7 +228,18 @@ class Calling:
         how = effect.kind
         name = effect.name if how == "out" else effect.key
         after = self.memory.in_place(effect.key, Held(how, name, effect.call, env, at, before=before), state)
-        return after if self.frame.python or how == "changed" else self._parts(effect, how, name, at, env, after)
+        if self.frame.python:
+            return self._fields_out(effect, at, env, state, after) if how == "out" else after
+        return after if how == "changed" else self._parts(effect, how, name, at, env, after)
+
+    def _fields_out(self, effect: Effect, at: int, env: Env, before: State, state: State) -> State:
+        """The state in which fields of an object of Python are what the function leaves them with that it got."""
+        names = self.memory.names(effect.key, before)
+        for part in [part for part in before.holds if part.startswith(f"{effect.key}.")]:
+            rest = part.removeprefix(effect.key)
+            held = Held("out", effect.name + rest, effect.call, env, at, before=before.holds[part])
+            state = state.having({name + rest: (held,) for name in names})
+        return state
 
     def _parts(self, effect: Effect, how: How, name: str, at: int, env: Env, state: State) -> State:
         """The state in which what an object of C++ was handed to has done the same to its fields."""

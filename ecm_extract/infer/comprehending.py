@@ -1,33 +1,104 @@
-"""Comprehensions that call something: their statement is reached once for each element."""
+"""Comprehensions that call something: their statement is reached, and does what it calls, once for each element."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import Final
 
 from ecm_parsers.source.expr import Comprehension
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.assigning import Assigning
-from ecm_extract.infer.held import State
+from ecm_extract.infer.calling import Calling
+from ecm_extract.infer.held import State, all_ways
 from ecm_extract.infer.looping import MAX_ROUNDS
 from ecm_extract.infer.routes import NOWHERE
 from ecm_extract.infer.run import Frame
 from ecm_extract.link.code.walk import comprehensions
 
 
+_STEADY: Final = frozenset({"handed", "reached", "lost", "shared"})
+"""What becomes of a variable that no further round makes anything else of."""
+
+
 class Comprehending:
     """Keeps the loops of comprehensions until the statement that they stand in."""
 
-    def __init__(self, frame: Frame, assigning: Assigning) -> None:
+    def __init__(self, frame: Frame, assigning: Assigning, calling: Calling) -> None:
         self.frame = frame
         self.assigning = assigning
+        self.calling = calling
         self._pending: list[int] = []
 
     def begin(self, at: int) -> None:
         """Note a loop of a comprehension that stands in a later statement."""
         self._pending.append(at)
 
-    def states(self, statement: Statement, at: int, state: State) -> list[State]:
+    def after(self, statement: Statement, at: int, state: State) -> State:
+        """Record the states in which a statement is reached, and return that after its calls."""
+        found = list(comprehensions(statement.value)) if self._pending and self.frame.env.func.calls[at] else []
+        if not found:
+            self.frame.record(at, self._states(statement, at, state))
+            return self.calling.after(at, state, self.frame.place(state))
+        seen: list[State] = []
+        alone = statement.kind == "do" and found == [statement.value]
+        end = self._followed(found[0], found[0].loops, at, state, seen) if alone else None
+        if end is not None:
+            self._pending = [loop for loop in self._pending if loop not in found[0].loops]
+            self.frame.record(at, seen or [replace(state, route=NOWHERE)])
+        else:
+            end = self._any_times(found, at, state)
+            self.frame.record(at, self._states(statement, at, end))
+        return self._unbound(found, state, end)
+
+    def _followed(
+        self, entry: Comprehension, loops: Sequence[int], at: int, state: State, seen: list[State]
+    ) -> State | None:
+        """The state after all rounds, one by one; None where they are not all known."""
+        if not loops:
+            found = [self.frame.truth(test, state) for test in entry.tests]
+            if False in found or None in found:
+                return state if False in found else None
+            seen.append(state)
+            return self.calling.after(at, state, self.frame.place(state))
+        each, known = self.frame.body[loops[0]], self.frame.whole
+        items = self.frame.judge.rounds(each.value, self.frame.place(state)) if known and each.value else None
+        if items is None or len(items) > MAX_ROUNDS:
+            return None
+        current: State | None = state
+        for item in items:
+            if current is not None:
+                bound = self.assigning.known_element(each.target, item, loops[0], current)
+                current = self._followed(entry, loops[1:], at, bound, seen)
+        return current
+
+    def _any_times(self, found: Sequence[Comprehension], at: int, state: State) -> State:
+        """The state in which nobody knows what the calls of a statement change, which run any number of times."""
+        inner = state
+        for loop in (loop for entry in found for loop in entry.loops):
+            inner = self.assigning.element(self.frame.body[loop], loop, inner)
+        after = self.calling.after(at, inner, self.frame.place(inner))
+        changed = {
+            key for key in after.holds.apart(inner.holds) if after.holds.get(key) is not inner.holds.get(key)
+        } - set(self._bound(found))
+        kept = {key: after.holds.get(key, ()) for key in changed}
+        lost = [key for key, ways in kept.items() if any(held.how not in _STEADY for held in all_ways(ways))]
+        called = replace(state.having(kept), called=state.called or after.called)
+        return self.assigning.memory.lost(called, lost)
+
+    def _bound(self, found: Sequence[Comprehension]) -> Iterator[str]:
+        """The variables that comprehensions have for themselves."""
+        for loop in (loop for entry in found for loop in entry.loops):
+            yield from self.frame.outline.bound_keys(self.frame.body[loop].target)
+
+    def _unbound(self, found: Sequence[Comprehension], before: State, after: State) -> State:
+        """The state in which variables of comprehensions hold what others of their name held around them."""
+        own = set(self._bound(found))
+        held = {key for key in (*after.holds, *before.holds) if key.partition(".")[0] in own}
+        return after.having({key: before.holds.get(key, ()) for key in held})
+
+    def _states(self, statement: Statement, at: int, state: State) -> list[State]:
         """The states of a statement with comprehensions: one for each element, where it calls anything."""
         if not self._pending:
             return [state]

@@ -26,6 +26,7 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names
 from ecm_extract.infer.kinds import Exceptions
+from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.link.code.walk import calls_in, children
 from ecm_extract.shipped import shipped
@@ -33,7 +34,7 @@ from ecm_extract.shipped import shipped
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
 
-Kind = Literal["changed", "lost", "out", "handed", "swapped"]
+Kind = Literal["changed", "lost", "out", "handed", "reached", "swapped"]
 
 
 _SETATTR: Final = Name("setattr")
@@ -52,6 +53,7 @@ class Calls:
     searching: Set[str]
     fluent: Set[str]
     calling: Set[str]
+    giving: Set[str]
 
     def waits(self, call: Call) -> bool:
         """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""
@@ -61,7 +63,7 @@ class Calls:
         return isinstance(callee, Name) and callee.id.rsplit("::", 1)[-1] in self.waiting
 
 
-_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching", "fluent", "calling")
+_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching", "fluent", "calling", "giving")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -212,10 +214,12 @@ class Effects:
         changing = isinstance(callee, Member) and last in self.calls.changing
         library = last in self.calls.reading and isinstance(callee, Name) and callee.id != last  # `std::move`
         within = self._put_into(call)
-        if not (passed or named or within) or library or changing:
+        led = tuple(led_into(call, self.calls.giving)) if self.python else ()
+        if not (passed or named or within or led) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
         if target is None and last in self.calls.reading:
+            yield from self._by_calling(call, at) if self.python and last in self.calls.calling else ()
             return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
         if target is None and not own and self.targets.keeps(path):
@@ -227,6 +231,18 @@ class Effects:
         for name, arg in named:
             yield from self._given(call, arg, target, name, last)
         yield from (Effect("handed", key, call) for key in within)
+        if led and (target is None or any(self.targets.changes(target, entry.name) for entry in params)):
+            yield from (Effect("reached", key, call) for each in led if (key := self.key(each)))
+
+    def _by_calling(self, call: Call, at: int) -> Iterator[Effect]:
+        """What `map` and the like do by the function that they call."""
+        for each in called_with_parts(call, lambda made: self._changes_given(made, at)):
+            if key := self.key(each):
+                yield Effect("reached", key, call)
+
+    def _changes_given(self, call: Call, at: int) -> bool:
+        target = self.targets.target(call, self.func, at)
+        return target is not None and any(self.targets.changes(target, entry.name) for entry in target.fact.params[:1])
 
     def _put_into(self, call: Call) -> list[str]:
         """The variables of Python that a call gets in a list or table, or as one of several: `work([a], b or c)`."""
@@ -292,10 +308,10 @@ class Effects:
             if written or self._iterates(arg) or (isinstance(arg, Op) and arg.op == "&"):
                 yield Effect("lost", root, call)
             elif self.python or not (outside or self._is_constant(root)):
-                yield Effect("handed", root, call)
+                yield Effect("handed" if key else _within(arg), root, call)
         elif self.python:
             if self.targets.changes(target, name):
-                yield Effect("out" if key else "lost", root, call, name)
+                yield Effect("out" if key else _within(arg), root, call, name)
         else:
             yield from self._by_reference(call, arg, target, name, root)
 
@@ -314,6 +330,11 @@ class Effects:
                 yield Effect("lost", root, call)
             elif not pointed:
                 yield Effect("out" if self.key(arg) and not written.endswith("&&") else "lost", root, call, name)
+
+
+def _within(arg: Expr) -> Kind:
+    """What becomes of a variable of Python of which somebody gets a part: who has an element puts no other in place."""
+    return "reached" if isinstance(arg, Op) and arg.op == "[]" else "lost"
 
 
 def is_within(key: str, name: str) -> bool:

@@ -45,7 +45,7 @@ class Interpreter:
         self.assigning = Assigning(self.frame, self.memory)
         self.giving = Giving(self.frame, self.memory)
         self.calling = Calling(self.frame, self.memory, self.giving)
-        self.comprehending = Comprehending(self.frame, self.assigning)
+        self.comprehending = Comprehending(self.frame, self.assigning, self.calling)
         self.raising = RaisingStatements(self.frame, self.exits, self.memory)
         self.branching = Branching(self.frame, self.exits, self)
         self.looping = Looping(self.frame, self.exits, self.assigning, self.calling, self)
@@ -162,11 +162,11 @@ class Interpreter:
             self.comprehending.begin(at)
             self.frame.record(at, [state])
             return state
-        self.frame.record(at, self.comprehending.states(statement, at, state))
+        called = self.comprehending.after(statement, at, state)
         if statement.kind == "do" and statement.type.startswith("yield"):
             self.frame.run.yields.append((at, state))
         env = self.frame.place(state)
-        after = self._read(at, env, self.calling.after(at, state, env))
+        after = self._read(at, env, called)
         passed = self.raising.past(at, env, state, after)
         if passed is None:
             return None

@@ -61,6 +61,7 @@ from ecm_extract.link.folding.typed_numbers import TypedNumbers
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.changed_meanwhile import ChangedMeanwhile
 from ecm_extract.link.running.changed_outside import ChangedOutside
+from ecm_extract.link.running.changed_parameters import ChangedParameters
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.faults import Faults
 from ecm_extract.link.running.first_methods import FirstMethods
@@ -127,6 +128,7 @@ class Folder:
         self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)
+        self.changed_parameters = ChangedParameters(self)
         self.returns = ReturnFolder(self)
         self.texts = TextFolder(self)
         self.list_changes = ListChanges(self)

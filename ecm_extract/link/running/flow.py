@@ -52,7 +52,6 @@ class Flow:
         self.exceptions = Exceptions(folder.program)
         self._truths = Truths(folder, self.outline)
         self.decisions = Decisions(folder, self._truths)
-        self._changes: dict[tuple[Func, str], bool] = {}
 
     @property
     def lasting(self) -> LastingStates:
@@ -285,12 +284,7 @@ class Flow:
 
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""
-        key = (func, name)
-        known = self._changes.get(key)
-        if known is None:
-            self._changes[key] = True  # who asks in a circle is told that it may
-            known = self._changes[key] = self.effects(func).may_change(name)
-        return known
+        return self.folder.changed_parameters.may(func, name)
 
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""
