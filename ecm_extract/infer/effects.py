@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Final, Literal, Protocol
@@ -101,6 +101,9 @@ class Targets(Protocol):
 
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++ means a variable of a namespace."""
+
+    def shared_members(self, func: Func) -> Mapping[str, Set[str]]:
+        """Return, for members of the object at hand, the others that each may be or consist of, by key."""
 
     def shown_part(self, call: Call, func: Func) -> Expr | None:
         """Return the part of an object of C++ that a method gives a reference to; None of other calls."""

@@ -83,6 +83,7 @@ from ecm_extract.link.running.part_objects import PartObjects
 from ecm_extract.link.running.python_fields import PythonFields
 from ecm_extract.link.running.runs_once import RunsOnce
 from ecm_extract.link.running.scope import Scope
+from ecm_extract.link.running.shared_members import SharedMembers
 from ecm_extract.link.running.shifting import Shifting
 from ecm_extract.link.running.surely_made import SurelyMade
 from ecm_extract.link.running.unset_variables import UnsetVariables
@@ -129,6 +130,7 @@ class Folder:
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)
         self.changed_parameters = ChangedParameters(self)
+        self.shared_members = SharedMembers(self)
         self.returns = ReturnFolder(self)
         self.texts = TextFolder(self)
         self.list_changes = ListChanges(self)

@@ -105,7 +105,9 @@ class FieldFolder:
         if not isinstance(target, Member) or not self._is_meant(expr, env, target, inner):
             return ()
         values = demoted(self.folder.fold(statement.value, inner))
-        return _of_one(values, expr.name) if self._may_be_others(expr, env, target, inner) else values
+        elsewhere = func is not env.func and func.file.language == "python" and _is_element(target.base)
+        others = elsewhere or self._may_be_others(expr, env, target, inner)  # a list may have become another meanwhile
+        return _of_one(values, expr.name) if others else values
 
     def _may_be_others(self, expr: Member, env: Env, target: Member, inner: Env) -> bool:
         """Tell whether what is written to is a field of another object of the class, as far as that is known."""

@@ -286,6 +286,10 @@ class Flow:
         """Tell whether a function may change what its parameter consists of."""
         return self.folder.changed_parameters.may(func, name)
 
+    def shared_members(self, func: Func) -> Mapping[str, Set[str]]:
+        """Return, for members of the object at hand, the others that each may be or consist of, by key."""
+        return self.folder.shared_members.of(func)
+
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""
         program = self.folder.program
