@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Text
 from ecm_parsers.source.flow import Block, statements
 
-from ecm_extract.infer.effects import Effect, is_plain, perhaps_called
+from ecm_extract.infer.effects import Effect, is_plain
 from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
     from ecm_extract.link.running.env import Env
 
+_STEADY: Final = frozenset({"handed", "reached", "lost", "shared"})
+"""What becomes of a variable that no further call makes anything else of."""
+
 
 class Calling:
     """Applies the effects of calls."""
@@ -29,19 +32,20 @@ class Calling:
         self.memory = memory
         self.giving = giving
 
-    def after(self, at: int, state: State, env: Env) -> State:
-        """Return the state after the calls of a statement."""
-        calls = self.frame.env.func.calls[at]
+    def after(self, at: int, state: State, env: Env, skipped: Sequence[Call] = ()) -> State:
+        """Return the state after the calls of a statement, without some that do not run."""
+        calls = _without(self.frame.env.func.calls[at], skipped)
         if not calls:
             return state
         for effect in self.frame.effects.of(at):
-            state = self._apply(effect, at, env, state)
-            state = self.giving.written(_receiver(effect.call), state)
+            if not any(effect.call is each for each in skipped):
+                state = self._apply(effect, at, env, state)
+                state = self.giving.written(_receiver(effect.call), state)
         state = self._by_bound_methods(calls, state)
         waits = at in self.frame.outline.waiting
-        own = self.frame.judge.own_calls(env)
+        own = _without(self.frame.judge.own_calls(env), skipped)
         state = self.giving.used(state) if waits or own else state
-        state = self._methods(at, [] if waits else own, env, state)
+        state = self._methods(at, calls, [] if waits else own, env, state)
         state = self._inner(at, calls, env, state)
         state = self._unfollowed(calls, env, state)
         if waits:
@@ -51,6 +55,14 @@ class Calling:
         if waits or own:
             state = self.memory.given_again([key for key in state.holds if self._may_be_changed(key)], state)
         return state
+
+    def any_times(self, at: int, state: State, skipped: Sequence[Call] = ()) -> State:
+        """Return the state in which nobody knows what calls of a statement change that run any number of times."""
+        after = self.after(at, state, self.frame.place(state), skipped)
+        apart = after.holds.apart(state.holds)
+        changed = [key for key in apart if after.holds.get(key) is not state.holds.get(key)]
+        lost = [key for key in changed if any(held.how not in _STEADY for held in all_ways(after.holds.get(key, ())))]
+        return self.memory.lost(after, lost)
 
     def _by_bound_methods(self, calls: Sequence[Call], state: State) -> State:
         """The state after `put = names.append; put("x")`: nobody knows what such a method makes of its object."""
@@ -70,21 +82,21 @@ class Calling:
         """Whether functions that are called may change what is not the function's own: members that others write to."""
         return self.memory.is_open(key) and not self.frame.judge.is_followed(key, self.frame.env)
 
-    def _methods(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
+    def _methods(self, at: int, calls: Sequence[Call], own: Sequence[Call], env: Env, state: State) -> State:
         """The state after methods of the object at hand, or of objects that the function made."""
-        on = [(call, self._object(call, env)) for call in calls]
+        on = [(call, self._object(call, env)) for call in own]
         for key in dict.fromkeys(key for _, key in on if key is not None):
             state = self._on_object(key, [call for call, each in on if each == key], at, env, state)
-        state = self._through_objects(at, {key for _, key in on if key}, state)
+        state = self._through_objects(at, calls, {key for _, key in on if key}, state)
         both = (self._of_receiver(call, at) for call, key in on if key == "")
         return self.memory.lost(state, {name for key in both if key for name in self.memory.names(key, state)})
 
-    def _through_objects(self, at: int, followed: set[str], state: State) -> State:
+    def _through_objects(self, at: int, calls: Sequence[Call], followed: set[str], state: State) -> State:
         """The state after methods of objects of Python, which may change what those have: `x.rows = b; x.go()`.
 
         What methods that are followed make of the fields of their object is known.
         """
-        for call in self.frame.env.func.calls[at] if self.frame.python else ():
+        for call in calls if self.frame.python else ():
             key = self.frame.effects.key(_receiver(call))
             if key and any("." in each[1:] for each in state.holds) and not self._is_left(call, at):
                 kept = {each: ways for each, ways in state.holds.items() if lies_in(each, {key} & followed)}
@@ -138,8 +150,7 @@ class Calling:
         lasting = self.frame.judge.lasting.keys(self.frame.env.func, at)
         inner = ((call, self.frame.outline.changed_by_inner(call) - lasting) for call in calls)
         changing = [(call, keys) for call, keys in inner if keys]
-        perhaps = set(perhaps_called(self.frame.body[at].value)) if changing else set()
-        if len(changing) > 1 or not self.frame.whole or any(call in perhaps for call, _ in changing):
+        if len(changing) > 1 or not self.frame.whole:
             return self.memory.lost(state, {key for _, keys in changing for key in keys})
         for call, keys in changing:
             after = {key: self._after(key, key, call, at, env, state) for key in keys}
@@ -255,6 +266,10 @@ class Calling:
             return False
         written = self.frame.body[held.at].type if 0 <= held.at < len(self.frame.body) else ""
         return self.frame.python or (isinstance(held.expr, Text) and (written == "auto" or "*" in written))
+
+
+def _without(calls: Sequence[Call], skipped: Sequence[Call]) -> Sequence[Call]:
+    return [call for call in calls if not any(call is each for each in skipped)] if skipped else calls
 
 
 def _receiver(call: Call) -> Expr | None:

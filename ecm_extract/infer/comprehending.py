@@ -4,31 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Final
 
 from ecm_parsers.source.expr import Comprehension
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.assigning import Assigning
-from ecm_extract.infer.calling import Calling
-from ecm_extract.infer.held import State, all_ways
+from ecm_extract.infer.choosing import Choosing
+from ecm_extract.infer.held import State
 from ecm_extract.infer.looping import MAX_ROUNDS
 from ecm_extract.infer.routes import NOWHERE
 from ecm_extract.infer.run import Frame
 from ecm_extract.link.code.walk import comprehensions
 
 
-_STEADY: Final = frozenset({"handed", "reached", "lost", "shared"})
-"""What becomes of a variable that no further round makes anything else of."""
-
-
 class Comprehending:
     """Keeps the loops of comprehensions until the statement that they stand in."""
 
-    def __init__(self, frame: Frame, assigning: Assigning, calling: Calling) -> None:
+    def __init__(self, frame: Frame, assigning: Assigning, choosing: Choosing) -> None:
         self.frame = frame
         self.assigning = assigning
-        self.calling = calling
+        self.choosing = choosing
         self._pending: list[int] = []
 
     def begin(self, at: int) -> None:
@@ -40,7 +35,7 @@ class Comprehending:
         found = list(comprehensions(statement.value)) if self._pending and self.frame.env.func.calls[at] else []
         if not found:
             self.frame.record(at, self._states(statement, at, state))
-            return self.calling.after(at, state, self.frame.place(state))
+            return self.choosing.after(at, state)
         seen: list[State] = []
         alone = statement.kind == "do" and found == [statement.value]
         end = self._followed(found[0], found[0].loops, at, state, seen) if alone else None
@@ -61,7 +56,7 @@ class Comprehending:
             if False in found or None in found:
                 return state if False in found else None
             seen.append(state)
-            return self.calling.after(at, state, self.frame.place(state))
+            return self.choosing.after(at, state)
         each, known = self.frame.body[loops[0]], self.frame.whole
         items = self.frame.judge.rounds(each.value, self.frame.place(state)) if known and each.value else None
         if items is None or len(items) > MAX_ROUNDS:
@@ -78,14 +73,7 @@ class Comprehending:
         inner = state
         for loop in (loop for entry in found for loop in entry.loops):
             inner = self.assigning.element(self.frame.body[loop], loop, inner)
-        after = self.calling.after(at, inner, self.frame.place(inner))
-        changed = {
-            key for key in after.holds.apart(inner.holds) if after.holds.get(key) is not inner.holds.get(key)
-        } - set(self._bound(found))
-        kept = {key: after.holds.get(key, ()) for key in changed}
-        lost = [key for key, ways in kept.items() if any(held.how not in _STEADY for held in all_ways(ways))]
-        called = replace(state.having(kept), called=state.called or after.called)
-        return self.assigning.memory.lost(called, lost)
+        return self.choosing.calling.any_times(at, inner)
 
     def _bound(self, found: Sequence[Comprehension]) -> Iterator[str]:
         """The variables that comprehensions have for themselves."""

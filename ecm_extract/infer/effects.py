@@ -194,10 +194,8 @@ class Effects:
         if known is None:
             self._known[at] = ()  # who asks in a circle
             statement = self.func.fact.body[at]
-            found = [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
-            perhaps = frozenset(perhaps_called(statement.value)) if found else frozenset()
             known = self._known[at] = tuple(
-                [_if_called(effect) if effect.call in perhaps else effect for effect in found]
+                [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
             )
         return known
 
@@ -367,7 +365,3 @@ def perhaps_called(expr: Expr | None) -> Iterator[Call]:
     for part in children(expr) if expr is not None else ():
         yield from perhaps_called(part)
 
-
-def _if_called(effect: Effect) -> Effect:
-    """What is known of a variable behind a call that may not happen: nothing."""
-    return Effect("lost", effect.key, effect.call) if effect.kind in {"changed", "out", "swapped"} else effect
