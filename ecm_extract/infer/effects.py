@@ -174,7 +174,8 @@ class Effects:
             key = self.key(statement.target)
             within = key != name and is_within(self.root(statement.target), name)
             grown = self.key(statement.target) == name and statement.type.endswith("=")
-            kept = statement.kind in {"set", "return"} and self.key(statement.value) == name
+            own = self.func.is_constructor and self.key(statement.target).startswith(".")  # which has it from then on
+            kept = statement.kind in {"set", "return"} and self.key(statement.value) == name and not own
             if within or grown or kept:
                 return True
         return False

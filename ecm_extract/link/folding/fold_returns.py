@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import THIS, Call, Expr, Items, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
 
 from ecm_extract.infer.held import all_ways
 from ecm_extract.link.code.calls import Invocation
@@ -95,6 +95,8 @@ class ReturnFolder:
         if handed is not None:
             return handed[0]
         fitting = self.folder.objects.callees(call, env)
+        if not fitting and self._is_of_part(call, env):
+            fitting = self.folder.objects.methods(call, self.folder.structures.class_at(_receiver(call), env))
         if len(fitting) > 1 and env.func.file.language == "cpp":
             kinds = [self._kind(arg, env) for arg in call.args]
             fitting = [func for func in fitting if _takes(func, kinds)]
@@ -105,6 +107,11 @@ class ReturnFolder:
             if not all(are_known(func) for func in fitting):
                 return None
         return fitting[0] if len(fitting) == 1 else None  # of two in one place, who knows which was declared last
+
+    def _is_of_part(self, call: Invocation, env: Env) -> bool:
+        """Whether a method of Python may be called on an object in a list or table, or in a field."""
+        part = isinstance(call.receiver, Op | Member) and env.func.file.language == "python"
+        return part and bool(self.folder.program.seen_functions(call.last, env.func.file))
 
     def _kind(self, arg: Expr, env: Env) -> str:
         """`text`, `number`, or nothing where that is not known."""
@@ -160,8 +167,9 @@ class ReturnFolder:
         made = self._made(callee, call, env)
         this = _class_of(made, callee, call, env)
         written = made is not None or self.folder.object_fields.reads(callee, this)
-        caller = THIS if is_own(call.receiver) else call.receiver if written else None
-        follows = caller is not None and self.folder.methods.depends(callee, this)
+        other = made is None and env.func.file.language == "python" and not is_own(call.receiver)
+        caller = THIS if is_own(call.receiver) else call.receiver if written or other else None
+        follows = caller is not None and (other or self.folder.methods.depends(callee, this))
         within = Bound(caller, env) if follows and caller is not None else None
         return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=within, call=led)
 
