@@ -98,10 +98,21 @@ class Calling:
         """
         for call in calls if self.frame.python else ():
             key = self.frame.effects.key(_receiver(call))
+            root = key or self.frame.effects.root(_receiver(call))
+            if root and key not in followed and self._may_change_part(call, at):
+                how: How = "handed" if key else "reached"
+                before = self.memory.known(root, state, None)
+                state = self.memory.in_place(root, Held(how, root, before=before), state)
             if key and any("." in each[1:] for each in state.holds) and not self._is_left(call, at):
                 kept = {each: ways for each, ways in state.holds.items() if lies_in(each, {key} & followed)}
                 state = self.memory.sharers_reached({key}, state).having(kept)
         return state
+
+    def _may_change_part(self, call: Call, at: int) -> bool:
+        """Whether a method that is not followed, be it of an element of something, may change its object."""
+        judge, func = self.frame.judge, self.frame.env.func
+        named = call.callee.name if isinstance(call.callee, Member) else ""
+        return judge.is_own(call, func, at) and not judge.methods.all_leave(named, func)
 
     def _is_left(self, call: Call, at: int) -> bool:
         """Whether a method changes nothing of the object that it is called on."""

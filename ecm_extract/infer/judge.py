@@ -59,6 +59,9 @@ class Methods(Protocol):
     def changed_by(self, func: Func, env: Env) -> Set[str] | None:
         """Return the members that a function declared in another one changes, or methods that it calls; None: any."""
 
+    def all_leave(self, name: str, func: Func) -> bool:
+        """Tell whether no method of a name that a function sees changes its object."""
+
 
 class Judge(Targets, Protocol):
     """Who evaluates expressions for a run."""

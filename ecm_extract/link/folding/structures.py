@@ -16,7 +16,7 @@ from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, named_parts
-from ecm_extract.link.folding.same_objects import as_variable, place_now
+from ecm_extract.link.folding.same_objects import by_variable, is_as_made, left_by_maker, place_now
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
@@ -48,10 +48,9 @@ class StructureFolder:
             return ()
         whole = self._of_other(expr.base, env)
         if whole is not None and isinstance(expr.base, Member):
-            variable = as_variable(whole, env, self.made)
-            if variable is not None:
-                place = place_now(variable, env, self.folder.flow)
-                return self.folder.fold(Member(variable.expr, expr.name), place) if place else (unknown(expr.name),)
+            meant = by_variable(whole, expr, env, self.folder)
+            if meant:
+                return meant
         if whole is not None:
             values = self.handed_on(expr, env)
             if values or self._has_changed_fields(whole):
@@ -101,7 +100,8 @@ class StructureFolder:
     def _constructed(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """What the constructor that takes the arguments of an object best gives its member; empty without one."""
         places = self.constructed_at(expr.base, env)
-        values = [value for place in places for value in self._left(expr.name, place)]
+        exact = is_as_made(expr.base, env, self.folder)
+        values = [value for place in places for value in self._left(expr.name, place, exact)]
         return alternatives(values) if values else ()
 
     def constructed_at(self, expr: Expr, env: Env) -> list[Env]:
@@ -126,7 +126,10 @@ class StructureFolder:
         best = max(scores.values(), default=NO)
         return [maker for maker, points in scores.items() if points == best != NO]
 
-    def _left(self, name: str, place: Env) -> tuple[Value, ...]:
+    def _left(self, name: str, place: Env, exact: bool) -> tuple[Value, ...]:
+        known = left_by_maker(name, place, self.folder) if exact else ()
+        if known:
+            return known
         return self.folder.members.member_value(name, place.this, place) if place.this is not None else ()
 
     def given(self, expr: Expr, env: Env) -> Value | None:

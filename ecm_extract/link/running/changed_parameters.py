@@ -47,13 +47,8 @@ class ChangedParameters:
     def _by_methods(self, func: Func, name: str) -> bool:
         """Whether a method of it, or of a part of it, may change its object."""
         effects = self.folder.flow.effects(func)
-        called = ((call, callee) for call, callee in _methods(func) if is_within(effects.root(callee.base), name))
-        return any(not self._leaves(call, callee.name, func) for call, callee in called)
-
-    def _leaves(self, call: Call, name: str, func: Func) -> bool:
-        """Whether no method that a call may mean changes a member of its object."""
-        methods = [each for each in self.folder.program.seen_functions(name, func.file) if each.cls is not None]
-        return all(each.cls is not None and self.folder.methods.leaves(each, each.cls) for each in methods)
+        called = {callee.name for _, callee in _methods(func) if is_within(effects.root(callee.base), name)}
+        return not all(self.folder.methods.all_leave(each, func) for each in called)
 
     def _is_put_away(self, func: Func, name: str) -> bool:
         """Whether it is put into something, by a method of that, which may be changed through it."""

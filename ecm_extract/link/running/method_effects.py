@@ -136,6 +136,11 @@ class MethodEffects:
         """Tell whether a method changes no member of its object, through none of the methods that it calls either."""
         return self._members(func, this) == frozenset()
 
+    def all_leave(self, name: str, func: Func) -> bool:
+        """Tell whether no method of a name that a function sees changes its object."""
+        methods = [each for each in self.folder.program.seen_functions(name, func.file) if each.cls is not None]
+        return all(each.cls is not None and self.leaves(each, each.cls) for each in methods)
+
     def changed_by(self, func: Func, env: Env) -> Set[str] | None:
         """Return the members that a function declared in another one changes, or methods that it calls; None: any."""
         return self._members(func, env.this or env.func.cls)
