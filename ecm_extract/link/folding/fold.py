@@ -67,6 +67,7 @@ from ecm_extract.link.running.faults import Faults
 from ecm_extract.link.running.first_methods import FirstMethods
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
+from ecm_extract.link.running.kept_members import KeptMembers
 from ecm_extract.link.running.kept_references import KeptReferences
 from ecm_extract.link.running.lasting import LastingVariables
 from ecm_extract.link.running.lasting_states import LastingStates
@@ -131,6 +132,7 @@ class Folder:
         self.comprehended = Comprehended(self)
         self.changed_parameters = ChangedParameters(self)
         self.shared_members = SharedMembers(self)
+        self.kept_members = KeptMembers(self)
         self.returns = ReturnFolder(self)
         self.texts = TextFolder(self)
         self.list_changes = ListChanges(self)

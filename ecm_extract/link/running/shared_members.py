@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Expr, Member, Name
@@ -51,6 +51,10 @@ class SharedMembers:
         return self._known[cls]
 
     def _found(self, cls: Cls) -> Mapping[str, Set[str]]:
+        return _between_members(self.named(cls)[1].values())
+
+    def named(self, cls: Cls) -> tuple[Sequence[Outline], Mapping[Func, Named]]:
+        """Return the methods of a class, with what the variables of each may be or consist of."""
         program = self.folder.program
         lineage = (*program.ancestry(cls), *program.derived(cls))
         methods = [method for entry in lineage for method in entry.methods]
@@ -60,25 +64,26 @@ class SharedMembers:
         named: dict[Func, Named] = {outline.func: defaultdict(set) for outline in outlines}
         while any([self._noted(outline, named) for outline in outlines]):
             pass
-        return _between_members(named.values())
+        return outlines, named
 
     def _noted(self, outline: Outline, named: Mapping[Func, Named]) -> bool:
         """Note what a method gives its variables, members and what it calls; tells whether any of that is new."""
         own = named[outline.func]
-        more = [(key, self._meant(value, outline, own)) for key, value in _given(outline)]
+        more = [(key, self.meant(value, outline, own)) for key, value in _given(outline)]
         new = [(own, key, keys - own[key]) for key, keys in more if keys - own[key]]
         for call in (call for group in outline.func.calls for call in group):
             callee = self.folder.flow.target(call, outline.func, 0) if is_own_member(call.callee) else None
             if callee is None or callee not in named:
                 continue
             for param, arg in zip(callee.fact.params, call.args, strict=False):
-                keys = {key for key in self._meant(arg, outline, own) if key.startswith(".")}
+                keys = {key for key in self.meant(arg, outline, own) if key.startswith(".")}
                 new += [(named[callee], param.name, keys - named[callee][param.name])]
         for there, key, keys in new:
             there[key] |= keys
         return any(keys for _, _, keys in new)
 
-    def _meant(self, value: Expr | None, outline: Outline, own: Named) -> set[str]:
+    def meant(self, value: Expr | None, outline: Outline, own: Named) -> set[str]:
+        """Return the members, and the parameters, that a value may be or consist of."""
         keys = {outline.effects.key(each) or outline.effects.root(each) for each in shared_names(value)} - {""}
         given = (key for key in keys if key in outline.func.given and not self._is_plain(key, outline.func, MAX_HANDED))
         meant = {*given, *(key for key in keys if key.startswith("."))}
