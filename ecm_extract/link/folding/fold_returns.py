@@ -110,7 +110,7 @@ class ReturnFolder:
 
     def _is_of_part(self, call: Invocation, env: Env) -> bool:
         """Whether a method of Python may be called on an object in a list or table, or in a field."""
-        part = isinstance(call.receiver, Op | Member) and env.func.file.language == "python"
+        part = isinstance(_receiver(call), Op | Member | Call | Name) and env.func.file.language == "python"
         return part and bool(self.folder.program.seen_functions(call.last, env.func.file))
 
     def _kind(self, arg: Expr, env: Env) -> str:
@@ -146,12 +146,12 @@ class ReturnFolder:
         return Bound(*found[0]) if len(found) == 1 and isinstance(found[0][0], Items | Call) else made
 
     def given_back(self, made: Bound) -> Bound:
-        """Return the variable that a function of C++ gives back a copy of, where one is called; else what is given."""
-        if not isinstance(made.expr, Call) or made.env.func.file.language != "cpp":
+        """Return the variable that a function gives back, of C++ a copy of it, where one is called; else what is given."""
+        if not isinstance(made.expr, Call):
             return made
         call = invocation_of(made.expr, made.env)
         callee = self.meant(call, made.env)
-        if callee is None or not by_value(callee.fact.returns):
+        if callee is None or not (callee.file.language == "python" or by_value(callee.fact.returns)):
             return made
         found = self.returned(callee, call, made.env)
         return Bound(*found[0]) if len(found) == 1 and isinstance(found[0][0], Name) else made

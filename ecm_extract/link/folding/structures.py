@@ -281,6 +281,9 @@ class StructureFolder:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
         if isinstance(expr, Call) and self._class_called(expr, env) is not None:
             return Bound(expr, env)
+        if isinstance(expr, Call) and env.func.file.language == "python":
+            given = self.folder.returns.given_back(Bound(expr, env))
+            return given if given.expr is not expr else None
         if not isinstance(expr, Name | Member):
             return self.folder.own_copies.of_element(self.folder.lists.element(expr, env))
         helds = self._helds(expr, env)
