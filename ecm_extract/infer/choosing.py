@@ -59,10 +59,10 @@ class Choosing:
 
 def _sides(choice: Op) -> tuple[Expr | None, Expr | None]:
     """What runs where the test of a choice holds, and where it does not."""
-    test, *rest = choice.operands
+    rest = choice.operands[1:]
     if choice.op == "?:":
         return rest[0], rest[1]
-    further = rest[0] if len(rest) == 1 else Op(choice.op, tuple(rest))
+    further = rest[0] if len(rest) == 1 else Op(choice.op, rest)
     return (further, None) if choice.op == "&&" else (None, further)
 
 

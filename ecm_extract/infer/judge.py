@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
 
-from ecm_extract.infer.effects import Lending, Targets
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.routes import Fork, Verdict
+from ecm_extract.infer.targets import Lending, Targets
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func

@@ -63,9 +63,7 @@ def _names(outline: Outline, is_wanted: Callable[[str], bool]) -> Mapping[str, S
     return found
 
 
-def _note(
-    entry: Statement, outline: Outline, found: dict[str, set[_Named]], is_wanted: Callable[[str], bool]
-) -> bool:
+def _note(entry: Statement, outline: Outline, found: dict[str, set[_Named]], is_wanted: Callable[[str], bool]) -> bool:
     """Note what the variables of a statement are names of; tells whether any of that is new."""
     named = set(_named_by(entry, outline))
     named |= {_Named(each.key, one.is_element or each.is_element) for one in named for each in found.get(one.key, ())}

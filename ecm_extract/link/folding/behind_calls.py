@@ -69,7 +69,7 @@ class BehindCalls:
         name = held.name.partition(".")[0]
         if callee is None or name in self.folder.flow.outline(callee).rebound:
             return None
-        if callee.file.language == "python" and self.folder.changed_parameters.is_hidden(callee, name):
+        if callee.file.language == "python" and self.folder.methods.parameters.is_hidden(callee, name):
             return None
         inner = self.folder.returns.entered(callee, invocation, bind(callee, invocation, env), env)
         run = self.folder.flow.run(inner)

@@ -61,13 +61,11 @@ from ecm_extract.link.folding.typed_numbers import TypedNumbers
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.changed_meanwhile import ChangedMeanwhile
 from ecm_extract.link.running.changed_outside import ChangedOutside
-from ecm_extract.link.running.changed_parameters import ChangedParameters
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.faults import Faults
 from ecm_extract.link.running.first_methods import FirstMethods
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
-from ecm_extract.link.running.kept_members import KeptMembers
 from ecm_extract.link.running.kept_references import KeptReferences
 from ecm_extract.link.running.lasting import LastingVariables
 from ecm_extract.link.running.lasting_states import LastingStates
@@ -84,7 +82,6 @@ from ecm_extract.link.running.part_objects import PartObjects
 from ecm_extract.link.running.python_fields import PythonFields
 from ecm_extract.link.running.runs_once import RunsOnce
 from ecm_extract.link.running.scope import Scope
-from ecm_extract.link.running.shared_members import SharedMembers
 from ecm_extract.link.running.shifting import Shifting
 from ecm_extract.link.running.surely_made import SurelyMade
 from ecm_extract.link.running.unset_variables import UnsetVariables
@@ -130,9 +127,6 @@ class Folder:
         self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)
-        self.changed_parameters = ChangedParameters(self)
-        self.shared_members = SharedMembers(self)
-        self.kept_members = KeptMembers(self)
         self.returns = ReturnFolder(self)
         self.texts = TextFolder(self)
         self.list_changes = ListChanges(self)

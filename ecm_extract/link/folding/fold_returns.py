@@ -146,7 +146,7 @@ class ReturnFolder:
         return Bound(*found[0]) if len(found) == 1 and isinstance(found[0][0], Items | Call) else made
 
     def given_back(self, made: Bound) -> Bound:
-        """Return the variable that a function gives back, of C++ a copy of it, where one is called; else what is given."""
+        """Return the variable that a function gives back, of C++ a copy of it; what is no call of one as it is."""
         if not isinstance(made.expr, Call):
             return made
         call = invocation_of(made.expr, made.env)

@@ -29,30 +29,29 @@ def place_now(whole: Bound, env: Env, flow: Flow) -> Env | None:
     return env if flow.ways(whole.expr, env) == flow.ways(whole.expr, whole.env) else None
 
 
-def by_variable(whole: Bound, expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:
+def by_variable(whole: Bound | None, expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:
     """Return a field of an object that is a variable of the function at hand, which others were made with.
 
     Args:
-        whole: the object, as who was made with it has it.
+        whole: the object, as who was made with it has it; None where that is not known.
         expr: the field.
         env: the place that asks.
         folder: who evaluates.
     """
     for _ in range(MAX_DEPTH):
-        if whole.env.func is env.func or not isinstance(whole.expr, Name | Member):
+        if whole is None or whole.env.func is env.func or not isinstance(whole.expr, Name | Member):
             break
-        further = folder.structures.made(whole.expr, whole.env)
-        if further is None:
-            return ()
-        whole = further
-    if env.func.file.language != "python" or whole.env.func is not env.func or not isinstance(whole.expr, Name | Member):
+        whole = folder.structures.made(whole.expr, whole.env)
+    if whole is None or env.func.file.language != "python" or whole.env.func is not env.func:
+        return ()
+    if not isinstance(expr.base, Member) or not isinstance(whole.expr, Name | Member):
         return ()
     place = place_now(whole, env, folder.flow)
     return folder.fold(Member(whole.expr, expr.name), place) if place is not None else (unknown(expr.name),)
 
 
 def is_as_made(expr: Expr, env: Env, folder: Folder) -> bool:
-    """Tell whether nobody has changed an object of Python since it was made: the function at hand made it, or its list."""
+    """Tell whether nobody has changed an object of Python that the function at hand made, or made a list of."""
     if env.func.file.language != "python":
         return False
     root: Expr | None = expr
@@ -64,10 +63,18 @@ def is_as_made(expr: Expr, env: Env, folder: Folder) -> bool:
     return own and made is not None and isinstance(made.expr, Call)
 
 
-def left_by_maker(name: str, place: Env, folder: Folder) -> tuple[Value, ...]:
-    """Return what a constructor leaves a member with; empty where it does not give it anything itself."""
-    run = folder.flow.run(place)
-    if run is None or run.end is None or run.end.called:
+def left_by_maker(name: str, place: Env, exact: bool, folder: Folder) -> tuple[Value, ...]:
+    """Return what a constructor leaves a member with, and unless `exact` what methods of the class make of it."""
+    if place.this is None:
         return ()
-    ways = folder.flow.left(run, f".{name}")
-    return folder.held.of([ways], place.deeper(place.depth + 1)) if ways else ()
+    run = folder.flow.run(place) if exact else None
+    ways = folder.flow.left(run, f".{name}") if run is not None and run.end is not None and not run.end.called else ()
+    if ways:
+        return folder.held.of([ways], place.deeper(place.depth + 1))
+    return folder.members.member_value(name, place.this, place)
+
+
+def variable_given(call: Call, env: Env, folder: Folder) -> Bound | None:
+    """Return the variable that a function of Python gives back; None where it gives anything else."""
+    given = folder.returns.given_back(Bound(call, env))
+    return given if given.expr is not call else None

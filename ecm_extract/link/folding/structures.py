@@ -16,7 +16,7 @@ from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, named_parts
-from ecm_extract.link.folding.same_objects import by_variable, is_as_made, left_by_maker, place_now
+from ecm_extract.link.folding.same_objects import by_variable, is_as_made, left_by_maker, place_now, variable_given
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
@@ -47,10 +47,8 @@ class StructureFolder:
         if self._is_reached_into(expr, env):
             return ()
         whole = self._of_other(expr.base, env)
-        if whole is not None and isinstance(expr.base, Member):
-            meant = by_variable(whole, expr, env, self.folder)
-            if meant:
-                return meant
+        if meant := by_variable(whole, expr, env, self.folder):
+            return meant
         if whole is not None:
             values = self.handed_on(expr, env)
             if values or self._has_changed_fields(whole):
@@ -101,7 +99,7 @@ class StructureFolder:
         """What the constructor that takes the arguments of an object best gives its member; empty without one."""
         places = self.constructed_at(expr.base, env)
         exact = is_as_made(expr.base, env, self.folder)
-        values = [value for place in places for value in self._left(expr.name, place, exact)]
+        values = [value for place in places for value in left_by_maker(expr.name, place, exact, self.folder)]
         return alternatives(values) if values else ()
 
     def constructed_at(self, expr: Expr, env: Env) -> list[Env]:
@@ -125,12 +123,6 @@ class StructureFolder:
         scores = {maker: score(call, maker) for maker in cls.constructors}
         best = max(scores.values(), default=NO)
         return [maker for maker, points in scores.items() if points == best != NO]
-
-    def _left(self, name: str, place: Env, exact: bool) -> tuple[Value, ...]:
-        known = left_by_maker(name, place, self.folder) if exact else ()
-        if known:
-            return known
-        return self.folder.members.member_value(name, place.this, place) if place.this is not None else ()
 
     def given(self, expr: Expr, env: Env) -> Value | None:
         """Return what is known of the fields of an object that may not be as its class declares it; None if it is."""
@@ -282,8 +274,7 @@ class StructureFolder:
         if isinstance(expr, Call) and self._class_called(expr, env) is not None:
             return Bound(expr, env)
         if isinstance(expr, Call) and env.func.file.language == "python":
-            given = self.folder.returns.given_back(Bound(expr, env))
-            return given if given.expr is not expr else None
+            return variable_given(expr, env, self.folder)
         if not isinstance(expr, Name | Member):
             return self.folder.own_copies.of_element(self.folder.lists.element(expr, env))
         helds = self._helds(expr, env)

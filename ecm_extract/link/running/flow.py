@@ -284,11 +284,11 @@ class Flow:
 
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""
-        return self.folder.changed_parameters.may(func, name)
+        return self.folder.methods.parameters.may(func, name)
 
     def shared_members(self, func: Func) -> Mapping[str, Set[str]]:
         """Return, for members of the object at hand, the others that each may be or consist of, by key."""
-        return self.folder.shared_members.of(func)
+        return self.folder.states.kept_members.shared.of(func)
 
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""

@@ -65,10 +65,12 @@ class GivenItself:
         """The members that a function gives something by their names, and does nothing else with the object."""
         outline = self.folder.flow.outline(func)
         calls = (call for group in func.calls for call in group)
-        handed = any(_names(arg, name) for call in calls for arg in (*call.args, *(value for _, value in call.keywords)))
+        handed = any(
+            _names(arg, name) for call in calls for arg in (*call.args, *(value for _, value in call.keywords))
+        )
         kept = any(entry.value == Name(name) for entry in func.fact.body)
         inner = any(name in self.folder.shifting.names(each) for each in self.folder.nesting.inner(func))
-        if handed or kept or inner or name in outline.changes or self.folder.changed_parameters.is_hidden(func, name):
+        if handed or kept or inner or name in outline.changes or self.folder.methods.parameters.is_hidden(func, name):
             return None
         return frozenset(key.removeprefix(name) for key in outline.changes if key.startswith(f"{name}."))
 

@@ -14,6 +14,7 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.shared_members import SharedMembers
 
 if TYPE_CHECKING:
     from ecm_extract.infer.outline import Outline
@@ -25,6 +26,7 @@ class KeptMembers:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.shared = SharedMembers(folder)
         self._shown: dict[Cls, Set[str]] = {}
         self._outside: dict[tuple[str, Cls], bool] = {}
         self._named: dict[Func, Set[str]] = {}
@@ -78,12 +80,12 @@ class KeptMembers:
         """The members whose objects methods of a class give to others, who may keep them."""
         if cls not in self._shown:
             self._shown[cls] = frozenset()  # who asks in a circle
-            outlines, named = self.folder.shared_members.named(cls)
+            outlines, named = self.shared.named(cls)
             found = (each for outline in outlines for each in self._given(outline))
             self._shown[cls] = frozenset(
                 key
                 for outline, expr in found
-                for key in self.folder.shared_members.meant(expr, outline, named[outline.func])
+                for key in self.shared.meant(expr, outline, named[outline.func])
                 if key.startswith(".")
             )
         return self._shown[cls]
@@ -127,4 +129,4 @@ class KeptMembers:
     def _keeps(self, func: Func, name: str) -> bool:
         """Whether a function may keep what it gets: it gives it to something, or does what its body does not show."""
         stored = any(entry.kind in {"set", "return"} and entry.value == Name(name) for entry in func.fact.body)
-        return stored or self.folder.changed_parameters.is_hidden(func, name)
+        return stored or self.folder.methods.parameters.is_hidden(func, name)

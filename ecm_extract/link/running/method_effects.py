@@ -12,6 +12,7 @@ from ecm_extract.infer.places import ALL_FIELDS
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.changed_parameters import ChangedParameters
 from ecm_extract.link.running.env import Env, Instance, invocation_of
 from ecm_extract.link.running.given_itself import GivenItself
 from ecm_extract.link.running.object_states import is_own
@@ -36,6 +37,7 @@ class MethodEffects:
         self._through: dict[Func, Set[str]] = {}
         self._pointers = OwnPointers(folder)
         self._given = GivenItself(folder)
+        self.parameters = ChangedParameters(folder)
 
     def called_on(self, call: Call, env: Env) -> str | None:
         """Return the variable of the object that a method is called on: empty for that at hand, None for others."""

@@ -13,6 +13,7 @@ from ecm_extract.link.code.own import is_super
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
+from ecm_extract.link.running.kept_members import KeptMembers
 from ecm_extract.link.running.known_callers import KnownCallers
 
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ class ObjectStates:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.callers = KnownCallers(folder)
+        self.kept_members = KeptMembers(folder)
         self._known: dict[Hashable, Held | None] = {}
         self._meanwhile: dict[Hashable, Held | None] = {}
         self._nested = 0
@@ -52,7 +54,7 @@ class ObjectStates:
         if found is not None or key.count(".") > 2:
             return found
         within = key.count(".") == 2
-        if within and (self._is_other_by_now(key, env) or not self.folder.kept_members.is_followed(key, env)):
+        if within and (self._is_other_by_now(key, env) or not self.kept_members.is_followed(key, env)):
             return None
         if not within and not self._may_differ(key[1:], env.this or func.cls, env):
             return None
@@ -150,7 +152,7 @@ class ObjectStates:
         if run is None or run.end is None or run.end.called:
             return None
         if key.count(".") > 1 and not self.folder.flow.left(run, key):
-            return self.folder.kept_members.as_made(key, maker, run)
+            return self.kept_members.as_made(key, maker, run)
         return (Held("entered", key, env=maker, before=self.folder.flow.left(run, key) or (Held("given", key),)),)
 
     # --- objects -------------------------------------------------------------------------------------------

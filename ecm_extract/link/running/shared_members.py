@@ -59,10 +59,12 @@ class SharedMembers:
         lineage = (*program.ancestry(cls), *program.derived(cls))
         methods = [method for entry in lineage for method in entry.methods]
         outlines = [
-            self.folder.flow.outline(each) for method in methods for each in (method, *self.folder.nesting.inner(method))
+            self.folder.flow.outline(each)
+            for method in methods
+            for each in (method, *self.folder.nesting.inner(method))
         ]
         named: dict[Func, Named] = {outline.func: defaultdict(set) for outline in outlines}
-        while any([self._noted(outline, named) for outline in outlines]):
+        while sum(self._noted(outline, named) for outline in outlines):
             pass
         return outlines, named
 
@@ -98,7 +100,7 @@ class SharedMembers:
         return bool(passed) and all(each is not None and self._is_plain_value(each, handed) for each in passed)
 
     def _making(self, maker: Func) -> Iterator[tuple[Invocation, Env]]:
-        """The calls that may run a constructor: those of its class, of classes that derive from it, and of `__init__`."""
+        """The calls that may run a constructor: of its class, of classes that derive from it, and of `__init__`."""
         cls, program = maker.cls, self.folder.program
         derived = program.derived(cls) if cls is not None else ()
         names = {entry.fact.name for entry in (cls, *derived) if entry is not None}
@@ -161,4 +163,3 @@ def _member(key: str) -> str:
 
 def _params(keys: Set[str]) -> set[str]:
     return {key for key in keys if not key.startswith(".")}
-
