@@ -167,7 +167,8 @@ class ReturnFolder:
         made = self._made(callee, call, env)
         this = _class_of(made, callee, call, env)
         written = made is not None or self.folder.object_fields.reads(callee, this)
-        other = made is None and env.func.file.language == "python" and not is_own(call.receiver)
+        python = env.func.file.language == "python"
+        other = made is None and (python or isinstance(call.receiver, Call)) and not is_own(call.receiver)
         caller = THIS if is_own(call.receiver) else call.receiver if written or other else None
         follows = caller is not None and (other or self.folder.methods.depends(callee, this))
         within = Bound(caller, env) if follows and caller is not None else None

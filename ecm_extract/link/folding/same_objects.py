@@ -55,10 +55,14 @@ def is_as_made(expr: Expr, env: Env, folder: Folder) -> bool:
     if env.func.file.language != "python":
         return False
     root: Expr | None = expr
-    while root is not None and not folder.flow.effects(env.func).key(root):
+    while root is not None and not folder.flow.ways(root, env):
         root = whole_of(root)
     ways = folder.flow.ways(root, env) if root is not None else []
     made = folder.structures.made(expr, env) if isinstance(expr, Name | Member) else folder.lists.element(expr, env)
+    for _ in range(MAX_DEPTH):  # what is passed to who keeps it is made there
+        if made is None or made.env.func is env.func or not isinstance(made.expr, Name | Member):
+            break
+        made = folder.structures.made(made.expr, made.env)
     own = bool(ways) and all(held.how in _OWN for way in ways for held in all_ways(way))
     return own and made is not None and isinstance(made.expr, Call)
 

@@ -273,7 +273,7 @@ class StructureFolder:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
         if isinstance(expr, Call) and self._class_called(expr, env) is not None:
             return Bound(expr, env)
-        if isinstance(expr, Call) and env.func.file.language == "python":
+        if isinstance(expr, Call):
             return variable_given(expr, env, self.folder)
         if not isinstance(expr, Name | Member):
             return self.folder.own_copies.of_element(self.folder.lists.element(expr, env))
