@@ -53,7 +53,7 @@ class ReturnFolder:
 
     def values(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """Return what a call can give: of each return that is reached, and of what may be called instead."""
-        callee = self.meant(call, env)
+        callee = self.meant(call, env) or self._of_part(call, env)
         if callee is None or "generator" in callee.fact.traits:
             return (told_by_node(call, env, self.folder) or unknown(call.last),)
         found = self.returned(callee, call, env)
@@ -95,8 +95,6 @@ class ReturnFolder:
         if handed is not None:
             return handed[0]
         fitting = self.folder.objects.callees(call, env)
-        if not fitting and self._is_of_part(call, env):
-            fitting = self.folder.objects.methods(call, self.folder.structures.class_at(_receiver(call), env))
         if len(fitting) > 1 and env.func.file.language == "cpp":
             kinds = [self._kind(arg, env) for arg in call.args]
             fitting = [func for func in fitting if _takes(func, kinds)]
@@ -108,10 +106,15 @@ class ReturnFolder:
                 return None
         return fitting[0] if len(fitting) == 1 else None  # of two in one place, who knows which was declared last
 
-    def _is_of_part(self, call: Invocation, env: Env) -> bool:
-        """Whether a method of Python may be called on an object in a list or table, or in a field."""
-        part = isinstance(_receiver(call), Op | Member | Call | Name) and env.func.file.language == "python"
-        return part and bool(self.folder.program.seen_functions(call.last, env.func.file))
+    def _of_part(self, call: Invocation, env: Env) -> Func | None:
+        """The method of Python of an object in a list or table, in a field, or that a call gives, by who made it."""
+        receiver = _receiver(call)
+        part = isinstance(receiver, Op | Member | Call | Name) and env.func.file.language == "python"
+        if not part or not any(each.cls for each in self.folder.program.seen_functions(call.last, env.func.file)):
+            return None
+        fitting = self.folder.objects.methods(call, self.folder.structures.class_at(receiver, env))
+        known = len(fitting) == 1 and not is_overload(fitting[0]) and are_known(fitting[0])
+        return fitting[0] if known else None
 
     def _kind(self, arg: Expr, env: Env) -> str:
         """`text`, `number`, or nothing where that is not known."""
