@@ -112,7 +112,8 @@ class Calling:
         """Whether a method that is not followed, be it of an element of something, may change its object."""
         judge, func = self.frame.judge, self.frame.env.func
         named = call.callee.name if isinstance(call.callee, Member) else ""
-        return judge.is_own(call, func, at) and not judge.methods.all_leave(named, func)
+        known = self._is_left(call, at)
+        return not known and judge.is_own(call, func, at) and not judge.methods.all_leave(named, func)
 
     def _is_left(self, call: Call, at: int) -> bool:
         """Whether a method changes nothing of the object that it is called on."""

@@ -154,7 +154,8 @@ class ReturnFolder:
             return made
         call = invocation_of(made.expr, made.env)
         callee = self.meant(call, made.env)
-        if callee is None or not (callee.file.language == "python" or by_value(callee.fact.returns)):
+        copied = callee is not None and by_value(callee.fact.returns) and "reference" not in callee.fact.traits
+        if callee is None or not (callee.file.language == "python" or copied):
             return made
         found = self.returned(callee, call, made.env)
         return Bound(*found[0]) if len(found) == 1 and isinstance(found[0][0], Name) else made

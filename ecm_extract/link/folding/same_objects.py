@@ -8,6 +8,7 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.infer.held import all_ways
 from ecm_extract.infer.places import whole_of
+from ecm_extract.link.code.units import Cls
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.values import Value, unknown
@@ -71,11 +72,18 @@ def left_by_maker(name: str, place: Env, exact: bool, folder: Folder) -> tuple[V
     """Return what a constructor leaves a member with, and unless `exact` what methods of the class make of it."""
     if place.this is None:
         return ()
-    run = folder.flow.run(place) if exact else None
+    run = folder.flow.run(place) if exact and not _changes_unasked(place.this, folder) else None
     ways = folder.flow.left(run, f".{name}") if run is not None and run.end is not None and not run.end.called else ()
     if ways:
         return folder.held.of([ways], place.deeper(place.depth + 1))
     return folder.members.member_value(name, place.this, place)
+
+
+def _changes_unasked(cls: Cls, folder: Folder) -> bool:
+    """Whether methods that Python runs without a call of their name change members: `with`, operators, properties."""
+    methods = [each for entry in folder.program.ancestry(cls) for each in entry.methods if not each.is_constructor]
+    unasked = (each for each in methods if each.fact.name.startswith("__") or each.fact.decorators)
+    return any(not folder.methods.leaves(each, cls) for each in unasked)
 
 
 def variable_given(call: Call, env: Env, folder: Folder) -> Bound | None:
