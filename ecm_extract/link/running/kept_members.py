@@ -39,6 +39,15 @@ class KeptMembers:
         member = f".{key.split('.')[1]}"
         return member not in self._given_away(cls) and not self._is_named_outside(member[1:], cls)
 
+    def is_had_by_others(self, expr: Member, env: Env) -> bool:
+        """Tell whether somebody who is not seen may change a field of a member: others have its object, too."""
+        key = self.folder.flow.effects(env.func).key(expr)
+        cls = self.folder.nesting.object_of(env.func) if env.func.file.language == "python" else None
+        if cls is None or not key.startswith(".") or key.count(".") != 2 or not self._may_change(key, env):
+            return False
+        member = f".{key.split('.')[1]}"
+        return member in self._given_away(cls) or self._is_named_outside(member[1:], cls)
+
     def as_made(self, key: str, maker: Env, run: Run) -> Sequence[Held] | None:
         """Return what a field is behind the constructor that makes its object there; None of other objects."""
         whole = self.folder.flow.left(run, f".{key.split('.')[1]}")
@@ -116,7 +125,7 @@ class KeptMembers:
         path = call.callee.name if isinstance(call.callee, Member) else getattr(call.callee, "id", "")
         last = last_name(path)
         calls = flow.effects(func).calls
-        if callee is None and (last in calls.reading or last in calls.changing or flow.keeps(path)):
+        if callee is None and (last in calls.reading or flow.keeps(path) or self._is_put_into_own(call, func)):
             return
         own = isinstance(call.callee, Member) and call.callee.base == THIS
         params = callee.fact.params if callee is not None else ()
@@ -125,6 +134,13 @@ class KeptMembers:
             if not own and (callee is None or not name or self._keeps(callee, name)):
                 yield arg
         yield from (value for _, value in call.keywords if not own)
+
+    def _is_put_into_own(self, call: Call, func: Func) -> bool:
+        """Whether a call puts something into a list or table of the function, or of its object."""
+        effects = self.folder.flow.effects(func)
+        root = effects.root(call.callee.base) if isinstance(call.callee, Member) else ""
+        own = root.startswith(".") or root.partition(".")[0] in effects.own - func.given
+        return own and isinstance(call.callee, Member) and call.callee.name in effects.calls.changing
 
     def _keeps(self, func: Func, name: str) -> bool:
         """Whether a function may keep what it gets: it gives it to something, or does what its body does not show."""
