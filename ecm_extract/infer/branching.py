@@ -43,11 +43,11 @@ class Branching:
 
     def branch(self, step: Branch, state: State) -> State | None:
         """Run both sides of a branch; which of them is taken is decided when somebody wants to know."""
-        sides = self._sides(step.test, state)
+        sides = self.sides(step.test, state)
         then = self._side(step.then, sides.taken, state)
         return _behind(step, state, joined_states([then, self._side(step.other, sides.passed, state)]))
 
-    def _sides(self, test: Expr, state: State) -> Sides:
+    def sides(self, test: Expr, state: State) -> Sides:
         """Return the states on both sides of what a branch asks."""
         gate = self.frame.gate(test, state)
         if gate is not None and self.frame.rounds:  # whether a loop goes on must be known now
@@ -80,7 +80,7 @@ class Branching:
         outs: list[State | None] = []
         for case in step.cases:
             asked = _question(step.subject, case)
-            sides = self._sides(asked, rest) if rest is not None and asked is not None else Sides(rest, None)
+            sides = self.sides(asked, rest) if rest is not None and asked is not None else Sides(rest, None)
             outs.append(self._side(case.body, sides.taken, state))
             rest = sides.passed
         for out in reversed(outs):  # the last two sides meet first
@@ -105,7 +105,7 @@ class Branching:
         found: list[State | None] = []
         for case in step.cases:
             asked = _question(step.subject, case)
-            sides = self._sides(asked, rest) if rest is not None and asked is not None else Sides(None, rest)
+            sides = self.sides(asked, rest) if rest is not None and asked is not None else Sides(None, rest)
             found.append(sides.taken)
             rest = sides.passed.along(state.path) if sides.passed is not None else None
         if all(case.tests for case in step.cases):
@@ -134,6 +134,8 @@ class Branching:
         return self.blocks.run(step.final, met)
 
     def _handled(self, step: Attempt, state: State) -> State | None:
+        if not step.handlers:
+            return self.blocks.run(step.body, state)
         kind, func = self.frame.judge.exceptions.kind, self.frame.env.func
         self.exits.enter_attempt([tuple([kind(name, func) for name in each.types]) for each in step.handlers])
         done = self.blocks.run(step.body, state)

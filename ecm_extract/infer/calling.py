@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Text
 from ecm_parsers.source.flow import Block, statements
 
-from ecm_extract.infer.effects import Effect, is_plain, perhaps_called
+from ecm_extract.infer.effects import Effect, is_plain
 from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
@@ -18,6 +18,9 @@ from ecm_extract.infer.run import Frame
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
     from ecm_extract.link.running.env import Env
+
+_STEADY: Final = frozenset({"handed", "reached", "lost", "shared"})
+"""What becomes of a variable that no further call makes anything else of."""
 
 
 class Calling:
@@ -28,19 +31,20 @@ class Calling:
         self.memory = memory
         self.giving = giving
 
-    def after(self, at: int, state: State, env: Env) -> State:
-        """Return the state after the calls of a statement."""
-        calls = self.frame.env.func.calls[at]
+    def after(self, at: int, state: State, env: Env, skipped: Sequence[Call] = ()) -> State:
+        """Return the state after the calls of a statement, without some that do not run."""
+        calls = _without(self.frame.env.func.calls[at], skipped)
         if not calls:
             return state
         for effect in self.frame.effects.of(at):
-            state = self._apply(effect, at, env, state)
-            state = self.giving.written(_receiver(effect.call), state)
+            if not any(effect.call is each for each in skipped):
+                state = self._apply(effect, at, env, state)
+                state = self.giving.written(_receiver(effect.call), state)
         state = self._by_bound_methods(calls, state)
         waits = at in self.frame.outline.waiting
-        own = self.frame.judge.own_calls(env)
+        own = _without(self.frame.judge.own_calls(env), skipped)
         state = self.giving.used(state) if waits or own else state
-        state = self._methods(at, [] if waits else own, env, state)
+        state = self._methods(at, calls, [] if waits else own, env, state)
         state = self._inner(at, calls, env, state)
         state = self._unfollowed(calls, env, state)
         if waits:
@@ -50,6 +54,14 @@ class Calling:
         if waits or own:
             state = self.memory.given_again([key for key in state.holds if self._may_be_changed(key)], state)
         return state
+
+    def any_times(self, at: int, state: State, skipped: Sequence[Call] = ()) -> State:
+        """Return the state in which nobody knows what calls of a statement change that run any number of times."""
+        after = self.after(at, state, self.frame.place(state), skipped)
+        apart = after.holds.apart(state.holds)
+        changed = [key for key in apart if after.holds.get(key) is not state.holds.get(key)]
+        lost = [key for key in changed if any(held.how not in _STEADY for held in all_ways(after.holds.get(key, ())))]
+        return self.memory.lost(after, lost)
 
     def _by_bound_methods(self, calls: Sequence[Call], state: State) -> State:
         """The state after `put = names.append; put("x")`: nobody knows what such a method makes of its object."""
@@ -69,22 +81,38 @@ class Calling:
         """Whether functions that are called may change what is not the function's own: members that others write to."""
         return self.memory.is_open(key) and not self.frame.judge.is_followed(key, self.frame.env)
 
-    def _methods(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
+    def _methods(self, at: int, calls: Sequence[Call], own: Sequence[Call], env: Env, state: State) -> State:
         """The state after methods of the object at hand, or of objects that the function made."""
-        on = [(call, self._object(call, env)) for call in calls]
+        on = [(call, self._object(call, env)) for call in own]
         for key in dict.fromkeys(key for _, key in on if key is not None):
             state = self._on_object(key, [call for call, each in on if each == key], at, env, state)
-        state = self._through_objects(at, state)
+        state = self._through_objects(at, calls, {key for _, key in on if key}, state)
         both = (self._of_receiver(call, at) for call, key in on if key == "")
         return self.memory.lost(state, {name for key in both if key for name in self.memory.names(key, state)})
 
-    def _through_objects(self, at: int, state: State) -> State:
-        """The state after methods of objects of Python, which may change what those have: `x.rows = b; x.go()`."""
-        for call in self.frame.env.func.calls[at] if self.frame.python else ():
+    def _through_objects(self, at: int, calls: Sequence[Call], followed: set[str], state: State) -> State:
+        """The state after methods of objects of Python, which may change what those have: `x.rows = b; x.go()`.
+
+        What methods that are followed make of the fields of their object is known.
+        """
+        for call in calls if self.frame.python else ():
             key = self.frame.effects.key(_receiver(call))
-            if key and state.holds.within(key) and not self._is_left(call, at):
-                state = self.memory.sharers_reached({key}, state)
+            root = key or self.frame.effects.root(_receiver(call))
+            if root and key not in followed and self._may_change_part(call, at):
+                how: How = "handed" if key else "reached"
+                before = self.memory.known(root, state, None)
+                state = self.memory.in_place(root, Held(how, root, before=before), state)
+            if key and any("." in each[1:] for each in state.holds) and not self._is_left(call, at):
+                kept = {each: state.holds[each] for each in state.holds.within(key)} if key in followed else {}
+                state = self.memory.sharers_reached({key}, state).having(kept)
         return state
+
+    def _may_change_part(self, call: Call, at: int) -> bool:
+        """Whether a method that is not followed, be it of an element of something, may change its object."""
+        judge, func = self.frame.judge, self.frame.env.func
+        named = call.callee.name if isinstance(call.callee, Member) else ""
+        known = self._is_left(call, at)
+        return not known and judge.is_own(call, func, at) and not judge.methods.all_leave(named, func)
 
     def _is_left(self, call: Call, at: int) -> bool:
         """Whether a method changes nothing of the object that it is called on."""
@@ -133,8 +161,7 @@ class Calling:
         lasting = self.frame.judge.lasting.keys(self.frame.env.func, at)
         inner = ((call, self.frame.outline.changed_by_inner(call) - lasting) for call in calls)
         changing = [(call, keys) for call, keys in inner if keys]
-        perhaps = set(perhaps_called(self.frame.body[at].value)) if changing else set()
-        if len(changing) > 1 or not self.frame.whole or any(call in perhaps for call, _ in changing):
+        if len(changing) > 1 or not self.frame.whole:
             return self.memory.lost(state, {key for _, keys in changing for key in keys})
         for call, keys in changing:
             after = {key: self._after(key, key, call, at, env, state) for key in keys}
@@ -225,7 +252,18 @@ class Calling:
         how = effect.kind
         name = effect.name if how == "out" else effect.key
         after = self.memory.in_place(effect.key, Held(how, name, effect.call, env, at, before=before), state)
-        return after if self.frame.python or how == "changed" else self._parts(effect, how, name, at, env, after)
+        if self.frame.python:
+            return self._fields_out(effect, at, env, state, after) if how == "out" else after
+        return after if how == "changed" else self._parts(effect, how, name, at, env, after)
+
+    def _fields_out(self, effect: Effect, at: int, env: Env, before: State, state: State) -> State:
+        """The state in which fields of an object of Python are what the function leaves them with that it got."""
+        names = self.memory.names(effect.key, before)
+        for part in [part for part in before.holds if part.startswith(f"{effect.key}.")]:
+            rest = part.removeprefix(effect.key)
+            held = Held("out", effect.name + rest, effect.call, env, at, before=before.holds[part])
+            state = state.having({name + rest: (held,) for name in names})
+        return state
 
     def _parts(self, effect: Effect, how: How, name: str, at: int, env: Env, state: State) -> State:
         """The state in which what an object of C++ was handed to has done the same to its fields."""
@@ -241,6 +279,10 @@ class Calling:
             return False
         written = self.frame.body[held.at].type if 0 <= held.at < len(self.frame.body) else ""
         return self.frame.python or (isinstance(held.expr, Text) and (written == "auto" or "*" in written))
+
+
+def _without(calls: Sequence[Call], skipped: Sequence[Call]) -> Sequence[Call]:
+    return [call for call in calls if not any(call is each for each in skipped)] if skipped else calls
 
 
 def _receiver(call: Call) -> Expr | None:

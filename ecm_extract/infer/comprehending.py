@@ -1,14 +1,15 @@
-"""Comprehensions that call something: their statement is reached once for each element."""
+"""Comprehensions that call something: their statement is reached, and does what it calls, once for each element."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from ecm_parsers.source.expr import Comprehension, Expr
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.assigning import Assigning
+from ecm_extract.infer.choosing import Choosing
 from ecm_extract.infer.held import State
 from ecm_extract.infer.looping import MAX_ROUNDS
 from ecm_extract.infer.routes import NOWHERE
@@ -19,16 +20,73 @@ from ecm_extract.link.code.walk import comprehensions
 class Comprehending:
     """Keeps the loops of comprehensions until the statement that they stand in."""
 
-    def __init__(self, frame: Frame, assigning: Assigning) -> None:
+    def __init__(self, frame: Frame, assigning: Assigning, choosing: Choosing) -> None:
         self.frame = frame
         self.assigning = assigning
+        self.choosing = choosing
         self._pending: list[int] = []
 
     def begin(self, at: int) -> None:
         """Note a loop of a comprehension that stands in a later statement."""
         self._pending.append(at)
 
-    def states(self, statement: Statement, at: int, state: State) -> list[State]:
+    def after(self, statement: Statement, at: int, state: State) -> State:
+        """Record the states in which a statement is reached, and return that after its calls."""
+        found = list(comprehensions(statement.value)) if self._pending and self.frame.env.func.calls[at] else []
+        if not found:
+            self.frame.record(at, self._states(statement, at, state))
+            return self.choosing.after(at, state)
+        seen: list[State] = []
+        alone = statement.kind == "do" and found == [statement.value]
+        end = self._followed(found[0], found[0].loops, at, state, seen) if alone else None
+        if end is not None:
+            self._pending = [loop for loop in self._pending if loop not in found[0].loops]
+            self.frame.record(at, seen or [replace(state, route=NOWHERE)])
+        else:
+            end = self._any_times(found, at, state)
+            self.frame.record(at, self._states(statement, at, end))
+        return self._unbound(found, state, end)
+
+    def _followed(
+        self, entry: Comprehension, loops: Sequence[int], at: int, state: State, seen: list[State]
+    ) -> State | None:
+        """The state after all rounds, one by one; None where they are not all known."""
+        if not loops:
+            found = [self.frame.truth(test, state) for test in entry.tests]
+            if False in found or None in found:
+                return state if False in found else None
+            seen.append(state)
+            return self.choosing.after(at, state)
+        each, known = self.frame.body[loops[0]], self.frame.whole
+        items = self.frame.judge.rounds(each.value, self.frame.place(state)) if known and each.value else None
+        if items is None or len(items) > MAX_ROUNDS:
+            return None
+        current: State | None = state
+        for item in items:
+            if current is not None:
+                bound = self.assigning.known_element(each.target, item, loops[0], current)
+                current = self._followed(entry, loops[1:], at, bound, seen)
+        return current
+
+    def _any_times(self, found: Sequence[Comprehension], at: int, state: State) -> State:
+        """The state in which nobody knows what the calls of a statement change, which run any number of times."""
+        inner = state
+        for loop in (loop for entry in found for loop in entry.loops):
+            inner = self.assigning.element(self.frame.body[loop], loop, inner)
+        return self.choosing.calling.any_times(at, inner)
+
+    def _bound(self, found: Sequence[Comprehension]) -> Iterator[str]:
+        """The variables that comprehensions have for themselves."""
+        for loop in (loop for entry in found for loop in entry.loops):
+            yield from self.frame.outline.bound_keys(self.frame.body[loop].target)
+
+    def _unbound(self, found: Sequence[Comprehension], before: State, after: State) -> State:
+        """The state in which variables of comprehensions hold what others of their name held around them."""
+        own = set(self._bound(found))
+        held = {key for key in (*after.holds, *before.holds) if key.partition(".")[0] in own}
+        return after.having({key: before.holds.get(key, ()) for key in held})
+
+    def _states(self, statement: Statement, at: int, state: State) -> list[State]:
         """The states of a statement with comprehensions: one for each element, where it calls anything."""
         if not self._pending:
             return [state]

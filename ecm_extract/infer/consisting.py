@@ -120,7 +120,11 @@ class Consisting:
 
     def _parts(self, name: str, state: State) -> Set[str]:
         """The variables that one consists of; of one that is bound elsewhere, what it holds there consists of."""
-        content = self._together(state.holds.get(name, ()))
+        ways = state.holds.get(name, ())
+        content = self._together(ways)
+        elsewhere = self._since_other_methods(name, ways)
+        if elsewhere:
+            content = content._replace(keys=content.keys | elsewhere)
         pending = [there for key, there in content.elsewhere.items() if key not in state.holds]
         if not pending:
             return content.keys
@@ -133,6 +137,13 @@ class Consisting:
                 keys |= content.keys
                 pending += [ways for key, ways in content.elsewhere.items() if key not in state.holds]
         return keys
+
+    def _since_other_methods(self, name: str, ways: Collection[Held]) -> Set[str]:
+        """The members that one may be, or consist of, as other methods left it."""
+        shared = self.effects.targets.shared_members(self.effects.func) if name[:1] == "." else {}
+        others = shared.get(name) if shared else None
+        own = bool(ways) and all(held.how == "value" for held in all_ways(ways))
+        return others if others and not own else frozenset()
 
     def _together(self, ways: Collection[Held]) -> _Content:
         """What is held, as far as the rounds of loops have shown what it was before."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Set
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Literal, Protocol
+from typing import TYPE_CHECKING, Final, Literal
 
 from ecm_parsers.source.cpp_logging import PRINTED
 from ecm_parsers.source.expr import (
@@ -25,15 +25,16 @@ from ecm_parsers.source.expr import (
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names
-from ecm_extract.infer.kinds import Exceptions
+from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
+from ecm_extract.infer.targets import Targets
 from ecm_extract.link.code.walk import calls_in, children
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
 
-Kind = Literal["changed", "lost", "out", "handed", "swapped"]
+Kind = Literal["changed", "lost", "out", "handed", "reached", "swapped"]
 
 _SETATTR: Final = Name("setattr")
 
@@ -50,43 +51,6 @@ class Effect:
     key: str
     call: Call
     name: str = ""
-
-
-class Lending(Protocol):
-    """Who knows which functions are handed to those that only call them."""
-
-    def is_lent(self, call: Call, func: Func, index: int) -> bool:
-        """Tell whether a function of the tree does nothing with an argument of a call in another one but call it."""
-
-
-class Targets(Protocol):
-    """Who knows which function of the tree a call means."""
-
-    def target(self, call: Call, func: Func, at: int) -> Func | None:
-        """Return the function with a body that a call in a statement of a function means."""
-
-    def keeps(self, path: str) -> bool:
-        """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
-
-    def changes(self, func: Func, name: str) -> bool:
-        """Tell whether a function may change what its parameter consists of."""
-
-    def is_outside(self, name: str, func: Func) -> bool:
-        """Tell whether a name in a method of C++ means a variable of a namespace."""
-
-    def shown_part(self, call: Call, func: Func) -> Expr | None:
-        """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
-
-    def has_setter(self, name: str, method: Func | None) -> bool:
-        """Tell whether objects of Python have a property that a method sets: that of a method, None for any object."""
-
-    @property
-    def lent(self) -> Lending:
-        """Who knows which functions are handed to those that only call them."""
-
-    @property
-    def exceptions(self) -> Exceptions:
-        """Who knows what raises."""
 
 
 class Effects:
@@ -135,7 +99,8 @@ class Effects:
             key = self.key(statement.target)
             within = key != name and is_within(self.root(statement.target), name)
             grown = self.key(statement.target) == name and statement.type.endswith("=")
-            kept = statement.kind in {"set", "return"} and self.key(statement.value) == name
+            own = self.func.is_constructor and self.key(statement.target).startswith(".")  # which has it from then on
+            kept = statement.kind in {"set", "return"} and self.key(statement.value) == name and not own
             if within or grown or kept:
                 return True
         return False
@@ -155,10 +120,8 @@ class Effects:
         if known is None:
             self._known[at] = ()  # who asks in a circle
             statement = self.func.fact.body[at]
-            found = [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
-            perhaps = frozenset(perhaps_called(statement.value)) if found else frozenset()
             known = self._known[at] = tuple(
-                [_if_called(effect) if effect.call in perhaps else effect for effect in found]
+                [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
             )
         return known
 
@@ -178,10 +141,12 @@ class Effects:
         changing = isinstance(callee, Member) and last in self.calls.changing
         library = last in self.calls.reading and isinstance(callee, Name) and callee.id != last  # `std::move`
         within = self._put_into(call)
-        if not (passed or named or within) or library or changing:
+        led = tuple(led_into(call, self.calls.giving)) if self.python else ()
+        if not (passed or named or within or led) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
         if target is None and (last in self.calls.reading or statement.type == PRINTED):
+            yield from self._by_calling(call, at) if self.python and last in self.calls.calling else ()
             return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
         if target is None and not own and self.targets.keeps(path):
@@ -193,6 +158,18 @@ class Effects:
         for name, arg in named:
             yield from self._given(call, arg, target, name, last)
         yield from (Effect("handed", key, call) for key in within)
+        if led and (target is None or any(self.targets.changes(target, entry.name) for entry in params)):
+            yield from (Effect("reached", key, call) for each in led if (key := self.key(each)))
+
+    def _by_calling(self, call: Call, at: int) -> Iterator[Effect]:
+        """What `map` and the like do by the function that they call."""
+        for each in called_with_parts(call, lambda made: self._changes_given(made, at)):
+            if key := self.key(each):
+                yield Effect("reached", key, call)
+
+    def _changes_given(self, call: Call, at: int) -> bool:
+        target = self.targets.target(call, self.func, at)
+        return target is not None and any(self.targets.changes(target, entry.name) for entry in target.fact.params[:1])
 
     def _put_into(self, call: Call) -> list[str]:
         """The variables of Python that a call gets in a list or table, or as one of several: `work([a], b or c)`."""
@@ -258,10 +235,10 @@ class Effects:
             if written or self._iterates(arg) or (isinstance(arg, Op) and arg.op == "&"):
                 yield Effect("lost", root, call)
             elif self.python or not (outside or self._is_constant(root)):
-                yield Effect("handed", root, call)
+                yield Effect("handed" if key else _within(arg), root, call)
         elif self.python:
             if self.targets.changes(target, name):
-                yield Effect("out" if key else "lost", root, call, name)
+                yield Effect("out" if key else _within(arg), root, call, name)
         else:
             yield from self._by_reference(call, arg, target, name, root)
 
@@ -281,6 +258,11 @@ class Effects:
                 yield Effect("lost", root, call)
             elif not pointed:
                 yield Effect("out" if self.key(arg) and not written.endswith("&&") else "lost", root, call, name)
+
+
+def _within(arg: Expr) -> Kind:
+    """What becomes of a variable of Python of which somebody gets a part: who has an element puts no other in place."""
+    return "reached" if isinstance(arg, Op) and arg.op == "[]" else "lost"
 
 
 def is_within(key: str, name: str) -> bool:
@@ -304,8 +286,3 @@ def perhaps_called(expr: Expr | None) -> Iterator[Call]:
         return
     for part in children(expr) if expr is not None else ():
         yield from perhaps_called(part)
-
-
-def _if_called(effect: Effect) -> Effect:
-    """What is known of a variable behind a call that may not happen: nothing."""
-    return Effect("lost", effect.key, effect.call) if effect.kind in {"changed", "out", "swapped"} else effect

@@ -16,6 +16,7 @@ from ecm_parsers.source.flow import Attempt, Block, Branch, Later, Leave, Loop, 
 from ecm_extract.infer.assigning import Assigning
 from ecm_extract.infer.branching import Branching
 from ecm_extract.infer.calling import Calling
+from ecm_extract.infer.choosing import Choosing
 from ecm_extract.infer.comprehending import Comprehending
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.giving import Giving
@@ -45,9 +46,10 @@ class Interpreter:
         self.assigning = Assigning(self.frame, self.memory)
         self.giving = Giving(self.frame, self.memory)
         self.calling = Calling(self.frame, self.memory, self.giving)
-        self.comprehending = Comprehending(self.frame, self.assigning)
         self.raising = RaisingStatements(self.frame, self.exits, self.memory)
         self.branching = Branching(self.frame, self.exits, self)
+        self.choosing = Choosing(self.frame, self.calling, self.branching)
+        self.comprehending = Comprehending(self.frame, self.assigning, self.choosing)
         self.looping = Looping(self.frame, self.exits, self.assigning, self.calling, self)
         self._nesting = 0
 
@@ -162,11 +164,11 @@ class Interpreter:
             self.comprehending.begin(at)
             self.frame.record(at, [state])
             return state
-        self.frame.record(at, self.comprehending.states(statement, at, state))
+        called = self.comprehending.after(statement, at, state)
         if statement.kind == "do" and statement.type.startswith("yield"):
             self.frame.run.yields.append((at, state))
         env = self.frame.place(state)
-        after = self._read(at, env, self.calling.after(at, state, env))
+        after = self._read(at, env, called)
         passed = self.raising.past(at, env, state, after)
         if passed is None:
             return None

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
 
-from ecm_extract.infer.effects import Lending, Targets
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.routes import Fork, Verdict
+from ecm_extract.infer.targets import Lending, Targets
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
@@ -58,6 +58,9 @@ class Methods(Protocol):
 
     def changed_by(self, func: Func, env: Env) -> Set[str] | None:
         """Return the members that a function declared in another one changes, or methods that it calls; None: any."""
+
+    def all_leave(self, name: str, func: Func) -> bool:
+        """Tell whether no method of a name that a function sees changes its object."""
 
 
 class Judge(Targets, Protocol):

@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Template, Text
 
 from ecm_extract.shipped import shipped
 
-_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching", "fluent", "calling")
+_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching", "fluent", "calling", "giving")
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +27,7 @@ class Calls:
     searching: Set[str]
     fluent: Set[str]
     calling: Set[str]
+    giving: Set[str]
 
     def waits(self, call: Call) -> bool:
         """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""

@@ -114,7 +114,7 @@ class Memory:
             for name in alike:
                 state = self.parts_lost(name, state)
         elements = self._elements_reached(alike, others, state) if self.frame.python else {}
-        return self.reached(others, state).having(elements).having(dict.fromkeys(alike, ways))
+        return self.reached(others, state, alike).having(elements).having(dict.fromkeys(alike, ways))
 
     def names(self, key: str, state: State) -> set[str]:
         """Return all names of what a name means."""
@@ -143,11 +143,18 @@ class Memory:
         state = self.lost(self.parts_lost(key, state), others)
         return state.having(dict.fromkeys(alike, ways))
 
-    def reached(self, keys: Set[str], state: State) -> State:
-        """The state after somebody changed what variables mean or hold: a text of Python stays what it is."""
+    def reached(self, keys: Set[str], state: State, changed: Set[str] = frozenset()) -> State:
+        """The state after somebody changed what variables mean or hold: a text of Python stays what it is.
+
+        Args:
+            keys: the variables.
+            state: the state before.
+            changed: other variables of which somebody changed what they consist of.
+        """
         if not self.frame.python:
             return self.lost(state, keys)
-        handed = {key: self._handed(key, state) for key in self._fixed(keys, state)}
+        fixed = self._fixed(keys, keys | changed, state)
+        handed = {key: self._handed(key, state) for key in fixed}
         return self.lost(state, keys).having(handed)
 
     def _handed(self, key: str, state: State) -> tuple[Held, ...]:
@@ -160,23 +167,25 @@ class Memory:
         if not self.frame.python:
             return state
         alike = {name for key in keys for name in self.sharing.alike(key, state)}
-        return self.reached((self.sharing.consisting.reached(keys, state) | alike) - keys, state)
+        return self.reached((self.sharing.consisting.reached(keys, state) | alike) - keys, state, keys)
 
-    def _fixed(self, keys: Set[str], state: State) -> list[str]:
+    def _fixed(self, keys: Set[str], changed: Set[str], state: State) -> list[str]:
         """Those of some variables of Python which nobody else gives anything, so that a text of theirs stays."""
-        return [
-            key for key in keys if self._is_member_or_held(key, state) and key not in self.frame.outline.bound_inside
-        ]
+        inside = self.frame.outline.bound_inside
+        return [key for key in keys if key not in inside and self._is_bound_here(key, changed, state)]
 
-    def _is_member_or_held(self, key: str, state: State) -> bool:
-        return key in state.holds or (key.startswith(".") and key.count(".") == 1)
+    def _is_bound_here(self, key: str, changed: Set[str], state: State) -> bool:
+        """Whether a name is none of a field of what somebody has, who may give that something else."""
+        if "." not in key[1:]:
+            return True
+        return key in state.holds and not any(whole in changed for whole in (*wholes(key), *owners(key)))
 
     def _elements_reached(self, changed: Set[str], keys: Set[str], state: State) -> Mapping[str, tuple[Held, ...]]:
         """What lists of Python hold that were written out, after somebody changed what one of their elements means.
 
         They have the elements that they had, unless they are a part of what was changed.
         """
-        written = [key for key in self._fixed(keys, state) if _is_written_out(state.holds.get(key, ()))]
+        written = [key for key in self._fixed(keys, changed, state) if _is_written_out(state.holds.get(key, ()))]
         within = self.sharing.consisting.reached(changed, state) if written else ()
         return {key: _elements_of(key, state.holds[key]) for key in written if key not in within}
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Callable, Iterator, Mapping, Set
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from ecm_parsers.source.expr import Expr, Items, Op
@@ -33,8 +33,15 @@ def changed_by_other_names(outline: Outline) -> Set[str]:
 
     What it changes of an element counts as a change of the whole.
     """
-    named = _names(outline)
+    named = _names(outline, lambda key: key[:1] == ".")
     return frozenset(_changed(outline, named)) if named else frozenset()
+
+
+def changed_as_others(outline: Outline, parameter: str) -> Set[str]:
+    """Return the parameter of a body, or fields of it, that the body may change by variables that it has them in."""
+    named = _names(outline, lambda key: key.partition(".")[0] == parameter)
+    found = set(_changed(outline, named)) if named else set()
+    return frozenset(parameter for key in found if key.partition(".")[0] == parameter)
 
 
 def _changed(outline: Outline, named: Mapping[str, Set[_Named]]) -> Iterator[str]:
@@ -46,21 +53,21 @@ def _changed(outline: Outline, named: Mapping[str, Set[_Named]]) -> Iterator[str
                 yield name.key if name.is_element else f"{name.key}{dot}{rest}"
 
 
-def _names(outline: Outline) -> Mapping[str, Set[_Named]]:
+def _names(outline: Outline, is_wanted: Callable[[str], bool]) -> Mapping[str, Set[_Named]]:
     """Variable -> what it may be another name of, by any of the statements that bind it."""
     kinds = _BINDING_OF_PYTHON if outline.python else _BINDING
     bindings = [entry for entry in outline.func.fact.body if entry.kind in kinds and not _is_copy(entry, outline)]
     found: dict[str, set[_Named]] = defaultdict(set)
-    while any(_note(entry, outline, found) for entry in bindings):
+    while any(_note(entry, outline, found, is_wanted) for entry in bindings):
         pass
     return found
 
 
-def _note(entry: Statement, outline: Outline, found: dict[str, set[_Named]]) -> bool:
+def _note(entry: Statement, outline: Outline, found: dict[str, set[_Named]], is_wanted: Callable[[str], bool]) -> bool:
     """Note what the variables of a statement are names of; tells whether any of that is new."""
     named = set(_named_by(entry, outline))
     named |= {_Named(each.key, one.is_element or each.is_element) for one in named for each in found.get(one.key, ())}
-    members = {one for one in named if one.key[:1] == "."}
+    members = {one for one in named if is_wanted(one.key)}
     names = [key for key in outline.bound_keys(entry.target) if "." not in key]
     new = [name for name in names if members - found.get(name, set())]
     for name in new:

@@ -12,13 +12,14 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 
 from ecm_extract.infer.bare_names import shared_names
-from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
+from ecm_extract.infer.effects import Effect, Effects, is_plain
 from ecm_extract.infer.inner import function_named, only_called
 from ecm_extract.infer.other_names import changed_by_other_names
 from ecm_extract.infer.places import caught_names, own_names, target_of
 from ecm_extract.infer.raising import may_raise
 from ecm_extract.infer.raising_calls import unpacks
 from ecm_extract.infer.read_into import Reads
+from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.walk import children, comprehensions
 

@@ -66,7 +66,10 @@ class BehindCalls:
             return None
         invocation = invocation_of(call, env)
         callee = self.folder.returns.meant(invocation, env)
-        if callee is None or held.name.partition(".")[0] in self.folder.flow.outline(callee).rebound:
+        name = held.name.partition(".")[0]
+        if callee is None or name in self.folder.flow.outline(callee).rebound:
+            return None
+        if callee.file.language == "python" and self.folder.methods.parameters.is_hidden(callee, name):
             return None
         inner = self.folder.returns.entered(callee, invocation, bind(callee, invocation, env), env)
         run = self.folder.flow.run(inner)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Expr, Items, Member, Name, Op
 
 from ecm_extract.infer.read_into import ReadInto
+from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Func
@@ -105,11 +106,14 @@ class FieldFolder:
         if not isinstance(target, Member) or not self._is_meant(expr, env, target, inner):
             return ()
         values = demoted(self.folder.fold(statement.value, inner))
-        return _of_one(values, expr.name) if self._may_be_others(expr, env, target, inner) else values
+        elsewhere = func is not env.func and func.file.language == "python" and _is_element(target.base)
+        others = elsewhere or self._may_be_others(expr, env, target, inner)  # a list may have become another meanwhile
+        return _of_one(values, expr.name) if others else values
 
     def _may_be_others(self, expr: Member, env: Env, target: Member, inner: Env) -> bool:
         """Tell whether what is written to is a field of another object of the class, as far as that is known."""
-        is_other = _is_element(target.base) or self._is_own(target.base, inner)
+        members = target.base != expr.base and is_own_member(target.base) and is_own_member(expr.base)
+        is_other = members or _is_element(target.base) or self._is_own(target.base, inner)
         same = target.base == expr.base and (inner.func is env.func or not self._is_declared(target.base, inner))
         return is_other and not same and not self._may_refer(expr.base, target.base, env)
 

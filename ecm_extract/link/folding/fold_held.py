@@ -224,7 +224,7 @@ class HeldFolder:
         return (unknown(_label(held.name)),) if made else lowered(values, "one_of")
 
     def _written(self, held: Held, env: Env) -> tuple[Value, ...]:
-        if env.func.file.language == "python":  # where a function cannot give the variables of its caller other texts
+        if env.func.file.language == "python" and "." not in held.name:  # whose functions give variables no other texts
             return self._before(held, env)
         found = self.folder.behind_calls.out(held, env)
         if found is None:

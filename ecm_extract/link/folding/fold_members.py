@@ -71,14 +71,12 @@ class MemberFolder:
                 return first
             cls = env.this or env.func.cls
             return (self.member_value(expr.name, cls, env) if cls is not None else ()) or (unknown(expr.name),)
-        handed = handed_field(expr, env, self.folder)
-        if handed:
+        if handed := handed_field(expr, env, self.folder):
             return handed
         pointed = self.folder.searches.part(expr, env)
         if pointed is not None:
             return demoted(self.folder.lists.fold(pointed, env))
-        listed = self.folder.data_classes.of_field(expr, env)
-        if listed:
+        if listed := self.folder.data_classes.of_field(expr, env):
             return listed
         part = self.folder.structures.field(expr, env) or begun_field(expr, env, self.folder)
         if not part and expr.name in VALUE_READS:
@@ -99,11 +97,13 @@ class MemberFolder:
         return found or self.folder.enums.value(expr, env)
 
     def _is_of_changed_variable(self, expr: Member, env: Env) -> bool:
-        """Tell whether an object is, or is in, a variable of a namespace that some function changes."""
+        """Tell whether an object is in a variable of a namespace that functions change, or others have a member."""
+        if env.func.file.language == "python":
+            return self.folder.states.kept_members.is_had_by_others(expr, env)
         root: Expr | None = expr
         while root is not None and not isinstance(root, Name):
             root = whole_of(root)
-        if root is None or env.func.file.language != "cpp" or self.folder.scope.declared_type(root.id, env):
+        if root is None or self.folder.scope.declared_type(root.id, env):
             return False
         file_scope = self.folder.objects.file_scope
         return bool(file_scope.type_of(root.id, env)) and file_scope.is_changed(root.id, env)

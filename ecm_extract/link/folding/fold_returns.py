@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import THIS, Call, Expr, Items, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
 
 from ecm_extract.infer.held import all_ways
 from ecm_extract.link.code.calls import Invocation
@@ -53,7 +53,7 @@ class ReturnFolder:
 
     def values(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """Return what a call can give: of each return that is reached, and of what may be called instead."""
-        callee = self.meant(call, env)
+        callee = self.meant(call, env) or self._of_part(call, env)
         if callee is None or "generator" in callee.fact.traits:
             return (told_by_node(call, env, self.folder) or unknown(call.last),)
         found = self.returned(callee, call, env)
@@ -106,6 +106,16 @@ class ReturnFolder:
                 return None
         return fitting[0] if len(fitting) == 1 else None  # of two in one place, who knows which was declared last
 
+    def _of_part(self, call: Invocation, env: Env) -> Func | None:
+        """The method of Python of an object in a list or table, in a field, or that a call gives, by who made it."""
+        receiver = _receiver(call)
+        part = isinstance(receiver, Op | Member | Call | Name) and env.func.file.language == "python"
+        if not part or not any(each.cls for each in self.folder.program.seen_functions(call.last, env.func.file)):
+            return None
+        fitting = self.folder.objects.methods(call, self.folder.structures.class_at(receiver, env))
+        known = len(fitting) == 1 and not is_overload(fitting[0]) and are_known(fitting[0])
+        return fitting[0] if known else None
+
     def _kind(self, arg: Expr, env: Env) -> str:
         """`text`, `number`, or nothing where that is not known."""
         values = self.folder.fold(arg, env)
@@ -139,12 +149,13 @@ class ReturnFolder:
         return Bound(*found[0]) if len(found) == 1 and isinstance(found[0][0], Items | Call) else made
 
     def given_back(self, made: Bound) -> Bound:
-        """Return the variable that a function of C++ gives back a copy of, where one is called; else what is given."""
-        if not isinstance(made.expr, Call) or made.env.func.file.language != "cpp":
+        """Return the variable that a function gives back, of C++ a copy of it; what is no call of one as it is."""
+        if not isinstance(made.expr, Call):
             return made
         call = invocation_of(made.expr, made.env)
         callee = self.meant(call, made.env)
-        if callee is None or not by_value(callee.fact.returns):
+        copied = callee is not None and by_value(callee.fact.returns) and "reference" not in callee.fact.traits
+        if callee is None or not (callee.file.language == "python" or copied):
             return made
         found = self.returned(callee, call, made.env)
         return Bound(*found[0]) if len(found) == 1 and isinstance(found[0][0], Name) else made
@@ -160,8 +171,10 @@ class ReturnFolder:
         made = self._made(callee, call, env)
         this = _class_of(made, callee, call, env)
         written = made is not None or self.folder.object_fields.reads(callee, this)
-        caller = THIS if is_own(call.receiver) else call.receiver if written else None
-        follows = caller is not None and self.folder.methods.depends(callee, this)
+        python = env.func.file.language == "python"
+        other = made is None and (python or isinstance(call.receiver, Call)) and not is_own(call.receiver)
+        caller = THIS if is_own(call.receiver) else call.receiver if written or other else None
+        follows = caller is not None and (other or self.folder.methods.depends(callee, this))
         within = Bound(caller, env) if follows and caller is not None else None
         return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=within, call=led)
 

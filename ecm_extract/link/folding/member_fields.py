@@ -70,14 +70,17 @@ class MemberFields:
         for run, place in self._ends(key, cls, env):
             if run is None or run.end is None:
                 yield unknown(key.rpartition(".")[2])
-            elif not _is_alone(self._helds(key, run)):
+            elif _is_alone(self._helds(key, run)):
+                if not _is_alone(self._shown(key, run)):
+                    yield unknown(key.rpartition(".")[2])
+            else:
                 end = place.within(run.end, len(place.func.fact.body))
                 yield from self.folder.fold(as_own(key), end)
 
     def _is_changed(self, key: str, cls: Cls, env: Env) -> bool:
         """Whether a method gives the field something, or does something to its object other than to make it."""
         runs = [run for run, _ in self._ends(key, cls, env) if run is not None]
-        return any(held.how not in _MADE or held.name == key for run in runs for held in self._helds(key, run))
+        return any(held.how not in _MADE or held.name == key for run in runs for held in self._shown(key, run))
 
     def _ends(self, key: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
         return self.folder.members.ends(key.split(".")[1], cls, env)
@@ -85,6 +88,10 @@ class MemberFields:
     def _helds(self, key: str, run: Run) -> list[Held]:
         """What a method leaves the field, and the members that it lies in, with."""
         return [held for each in (key, *owners(key)) for held in self.folder.flow.left(run, each)]
+
+    def _shown(self, key: str, run: Run) -> list[Held]:
+        """The same, and what other methods that one calls find them with."""
+        return [held for each in (key, *owners(key)) for held in self.folder.flow.shown(run, each)]
 
 
 def _is_alone(helds: Sequence[Held]) -> bool:

@@ -16,6 +16,7 @@ from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, named_parts
+from ecm_extract.link.folding.same_objects import by_variable, is_as_made, left_by_maker, place_now, variable_given
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
@@ -46,6 +47,8 @@ class StructureFolder:
         if self._is_reached_into(expr, env):
             return ()
         whole = self._of_other(expr.base, env)
+        if meant := by_variable(whole, expr, env, self.folder):
+            return meant
         if whole is not None:
             values = self.handed_on(expr, env)
             if values or self._has_changed_fields(whole):
@@ -61,7 +64,7 @@ class StructureFolder:
     def _left_out(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """A field that nothing is given to where its object is made: what C++ makes of a value that is left out."""
         parts = self._parts(expr.base, env) if env.func.file.language == "cpp" else None
-        cls = self._class_at(expr.base, env) if parts is not None else None
+        cls = self.class_at(expr.base, env) if parts is not None else None
         at = self._place(expr, env) if cls is not None and not cls.fact.bases else None
         field = cls.fields.get(expr.name) if cls is not None else None
         if parts is None or at is None or field is None or at < len(parts) or dict(named_parts(parts)):
@@ -72,7 +75,7 @@ class StructureFolder:
 
     def _of_other(self, expr: Expr, env: Env) -> Bound | None:
         """The object that one is a copy of, or which was handed to the function; None where it is neither."""
-        made = self._made(expr, env) if env.depth < MAX_DEPTH else None
+        made = self.made(expr, env) if env.depth < MAX_DEPTH else None
         return made if made is not None and isinstance(made.expr, Name | Member) else None
 
     def _has_changed_fields(self, whole: Bound) -> bool:
@@ -95,7 +98,8 @@ class StructureFolder:
     def _constructed(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """What the constructor that takes the arguments of an object best gives its member; empty without one."""
         places = self.constructed_at(expr.base, env)
-        values = [value for place in places for value in self._left(expr.name, place)]
+        exact = is_as_made(expr.base, env, self.folder)
+        values = [value for place in places for value in left_by_maker(expr.name, place, exact, self.folder)]
         return alternatives(values) if values else ()
 
     def constructed_at(self, expr: Expr, env: Env) -> list[Env]:
@@ -119,9 +123,6 @@ class StructureFolder:
         scores = {maker: score(call, maker) for maker in cls.constructors}
         best = max(scores.values(), default=NO)
         return [maker for maker, points in scores.items() if points == best != NO]
-
-    def _left(self, name: str, place: Env) -> tuple[Value, ...]:
-        return self.folder.members.member_value(name, place.this, place) if place.this is not None else ()
 
     def given(self, expr: Expr, env: Env) -> Value | None:
         """Return what is known of the fields of an object that may not be as its class declares it; None if it is."""
@@ -150,7 +151,8 @@ class StructureFolder:
         copied = self.copied(expr.base, env) if not lies_deep(expr) else None
         if copied is None or self._is_touched(copied.expr, copied.env) or self._is_reached_into(expr, env):
             return None
-        return Bound(Member(copied.expr, expr.name), copied.env)
+        place = place_now(copied, env, self.folder.flow)
+        return Bound(Member(copied.expr, expr.name), place) if place is not None else None
 
     def _is_touched(self, expr: Expr, env: Env) -> bool:
         """Tell whether somebody whose body is not seen, or who is not followed, may have changed an object."""
@@ -166,7 +168,7 @@ class StructureFolder:
 
     def copied(self, expr: Expr, env: Env) -> Bound | None:
         """Return the other object of which one is a copy, or a part of one, or for which it stands as a parameter."""
-        made = self._made(expr, env) if env.depth < MAX_DEPTH else None
+        made = self.made(expr, env) if env.depth < MAX_DEPTH else None
         if made is not None:
             return made if isinstance(made.expr, Name | Member) else None
         whole = self.copied(expr.base, env) if isinstance(expr, Member) else None
@@ -206,14 +208,14 @@ class StructureFolder:
 
     def _place(self, expr: Member, env: Env) -> int | None:
         """Return the place of a field among the values that its object is made from; an entry of a map is a pair."""
-        cls = self._class_at(expr.base, env)
+        cls = self.class_at(expr.base, env)
         names = cls.filled if cls is not None else []
         if expr.name in names:
             return names.index(expr.name)
         return _PAIR.index(expr.name) if env.func.file.language == "cpp" and expr.name in _PAIR else None
 
-    def _class_at(self, expr: Expr, env: Env) -> Cls | None:
-        """The class of an object: that which is called to make it, else its declared one."""
+    def class_at(self, expr: Expr, env: Env) -> Cls | None:
+        """Return the class of an object: that which is called to make it, else its declared one."""
         bound = self._origin(expr, env)
         made = self._class_called(bound.expr, bound.env) if bound is not None else None
         return made or self.folder.objects.class_of(expr, env)
@@ -245,7 +247,7 @@ class StructureFolder:
         return self._asked.answer(("origin", expr, env), lambda: self._followed(expr, env))
 
     def _followed(self, expr: Expr, env: Env) -> Bound | None:
-        bound = self._made(expr, env) if env.depth < MAX_DEPTH else None
+        bound = self.made(expr, env) if env.depth < MAX_DEPTH else None
         if bound is not None and (isinstance(bound.expr, Name | Member) or taken(bound.expr) is not None):
             return self._origin(bound.expr, bound.env.deeper(env.depth + 1))
         return bound
@@ -267,10 +269,13 @@ class StructureFolder:
         owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
         return owner is not None and owner.file.language == "cpp" and owner.fields[name].default is not None
 
-    def _made(self, expr: Expr, env: Env) -> Bound | None:
+    def made(self, expr: Expr, env: Env) -> Bound | None:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
         if isinstance(expr, Call) and self._class_called(expr, env) is not None:
             return Bound(expr, env)
+        given = variable_given(expr, env, self.folder) if isinstance(expr, Call) else None
+        if given is not None:
+            return given
         if not isinstance(expr, Name | Member):
             return self.folder.own_copies.of_element(self.folder.lists.element(expr, env))
         helds = self._helds(expr, env)
@@ -301,14 +306,14 @@ class StructureFolder:
         return self._asked.answer(("whole", expr, env), lambda: self._of_made(expr, env))
 
     def _of_made(self, expr: Member, env: Env) -> Bound | None:
-        whole = self._made(expr.base, env) if env.depth < MAX_DEPTH else None
+        whole = self.made(expr.base, env) if env.depth < MAX_DEPTH else None
         if whole is not None and isinstance(whole.expr, Name | Member):
             return Bound(Member(whole.expr, expr.name), whole.env)
         return self.part(expr, env) or (self._left_by_maker(expr, whole, env) if whole is not None else None)
 
     def _left_by_maker(self, expr: Member, whole: Bound, env: Env) -> Bound | None:
         """What the one constructor that can have made an object gives a member of it."""
-        if not isinstance(whole.expr, Items | Call) or whole.env.func.file.language != "cpp":
+        if not isinstance(whole.expr, Items | Call):
             return None
         cls = self._class_made(whole.expr, expr.base, whole.env, env)
         makers = self._fitting(cls, construction_of(cls, whole.expr, whole.env)) if cls is not None else []

@@ -52,7 +52,6 @@ class Flow:
         self.exceptions = Exceptions(folder.program)
         self._truths = Truths(folder, self.outline)
         self.decisions = Decisions(folder, self._truths)
-        self._changes: dict[tuple[Func, str], bool] = {}
 
     @property
     def lasting(self) -> LastingStates:
@@ -285,12 +284,11 @@ class Flow:
 
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""
-        if func.file.language == "cpp":
-            return any(each.startswith(f"{name}.") for each in self.outline(func).changes)
-        if (key := (func, name)) not in self._changes:
-            self._changes[key] = True  # who asks in a circle is told that it may
-            self._changes[key] = self.effects(func).may_change(name)
-        return self._changes[key]
+        return self.folder.methods.parameters.may(func, name)
+
+    def shared_members(self, func: Func) -> Mapping[str, Set[str]]:
+        """Return, for members of the object at hand, the others that each may be or consist of, by key."""
+        return self.folder.states.kept_members.shared.of(func)
 
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""

@@ -12,7 +12,9 @@ from ecm_extract.infer.places import ALL_FIELDS
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.changed_parameters import ChangedParameters
 from ecm_extract.link.running.env import Env, Instance, invocation_of
+from ecm_extract.link.running.given_itself import GivenItself
 from ecm_extract.link.running.object_states import is_own
 from ecm_extract.link.running.own_pointers import OwnPointers
 from ecm_extract.link.running.seen_from_outside import leaves_members
@@ -34,6 +36,8 @@ class MethodEffects:
         self._calling: dict[Func, bool] = {}
         self._through: dict[Func, Set[str]] = {}
         self._pointers = OwnPointers(folder)
+        self._given = GivenItself(folder)
+        self.parameters = ChangedParameters(folder)
 
     def called_on(self, call: Call, env: Env) -> str | None:
         """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
@@ -54,16 +58,24 @@ class MethodEffects:
             return {}
         if self._makes_base(found) or leaves_members(found, env, self.folder):
             return {}
+        given = self._given.changed(call, env.func, env.this or env.func.cls) if self._is_given(call, env) else None
+        if given is not None:
+            return {key: key for key in sorted(given)}
         prefix = "" if is_own(found.receiver) else self.holder(found, env)
         if prefix is None:
             return None
         callee = self._meant(found, env)
         if callee is None or self.folder.flow.hands_on(call, env):
             return None
-        members = self._members(callee, self.folder.returns.object_at(callee, found, env))
+        members = self.members(callee, self.folder.returns.object_at(callee, found, env))
         if members is None or (members and not is_own(found.receiver) and not self._is_made(found, env)):
             return None
         return {prefix + key: key for key in sorted(members)}
+
+    def _is_given(self, call: Call, env: Env) -> bool:
+        """Whether a function of Python, and no method of the object, gets that or a method of it."""
+        own = isinstance(call.callee, Name)
+        return own and env.func.file.language == "python" and self.folder.flow.hands_on(call, env)
 
     def _makes_base(self, call: Invocation) -> bool:
         """Whether a call makes a base of the object at hand, whose own members begin after that."""
@@ -125,7 +137,8 @@ class MethodEffects:
         method = callee is not None and callee.cls is not None
         return callee if callee and method and not self.folder.redefined.may_be(callee, call, env) else None
 
-    def _members(self, func: Func, this: Cls | None) -> Set[str] | None:
+    def members(self, func: Func, this: Cls | None) -> Set[str] | None:
+        """Return the members that a method changes, or those that it calls on the same object; None: nobody knows."""
         asked = (func, this)
         if asked not in self._known:
             self._known[asked] = None  # who asks in a circle does not know
@@ -134,11 +147,16 @@ class MethodEffects:
 
     def leaves(self, func: Func, this: Cls) -> bool:
         """Tell whether a method changes no member of its object, through none of the methods that it calls either."""
-        return self._members(func, this) == frozenset()
+        return self.members(func, this) == frozenset()
+
+    def all_leave(self, name: str, func: Func) -> bool:
+        """Tell whether no method of a name that a function sees changes its object."""
+        methods = [each for each in self.folder.program.seen_functions(name, func.file) if each.cls is not None]
+        return all(each.cls is not None and self.leaves(each, each.cls) for each in methods)
 
     def changed_by(self, func: Func, env: Env) -> Set[str] | None:
         """Return the members that a function declared in another one changes, or methods that it calls; None: any."""
-        return self._members(func, env.this or env.func.cls)
+        return self.members(func, env.this or env.func.cls)
 
     def depends(self, func: Func, this: Cls | None) -> bool:
         """Tell whether what a method does depends on when it is called: on members that are given several things."""
@@ -158,7 +176,7 @@ class MethodEffects:
         while pending:
             current = pending.pop()
             found |= {key for key in self.folder.flow.outline(current).changes if key.startswith(".")}
-            found |= self.changed_through(current)
+            found |= self.changed_through(current) | self._by_given(current, this)
             if f".{ALL_FIELDS}" in found:
                 return None
             called = self._called(current, this)
@@ -166,6 +184,15 @@ class MethodEffects:
                 return None
             pending += called - seen
             seen |= called
+        return found
+
+    def _by_given(self, func: Func, this: Cls | None) -> Set[str]:
+        """The members that functions change which a method gives its object, or a method of that."""
+        found: set[str] = set()
+        for at, calls in enumerate(func.calls):
+            for call in calls:
+                if self._is_given(call, Env(func, at, this=this)):
+                    found |= self._given.changed(call, func, this) or set()
         return found
 
     def changed_through(self, func: Func) -> Set[str]:
@@ -196,7 +223,7 @@ class MethodEffects:
     def _changed_of(self, key: str, call: Invocation, place: Env) -> Iterator[str]:
         """The fields of a member that a method of its class may change; the member where that is not known, or many."""
         callee = self._meant(call, place)
-        members = self._members(callee, None) if callee is not None else None
+        members = self.members(callee, None) if callee is not None else None
         fields = {member.split(".")[1] for member in members or ()}  # what lies deeper is a part of these
         if members is None or len(fields) > MAX_FIELDS:
             yield key
@@ -228,7 +255,8 @@ class MethodEffects:
     def _runs(self, call: Call, place: Env) -> set[Func] | None:
         """The method that a call on the object at hand runs, none for one outside of the tree; None: nobody knows."""
         if self.folder.flow.hands_on(call, place):
-            return None
+            given = self._is_given(call, place) and self._given.changed(call, place.func, place.this)
+            return set() if isinstance(given, Set) else None
         found = invocation_of(call, place)
         if self._is_outside(found, place):
             return set()

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import THIS, Call, Expr
 
 from ecm_extract.infer.held import MAX_WAYS, Held, State
+from ecm_extract.infer.places import owners
 from ecm_extract.link.code.own import is_super
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
+from ecm_extract.link.running.kept_members import KeptMembers
 from ecm_extract.link.running.known_callers import KnownCallers
 
 if TYPE_CHECKING:
@@ -29,6 +31,7 @@ class ObjectStates:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.callers = KnownCallers(folder)
+        self.kept_members = KeptMembers(folder)
         self._known: dict[Hashable, Held | None] = {}
         self._meanwhile: dict[Hashable, Held | None] = {}
         self._nested = 0
@@ -48,9 +51,12 @@ class ObjectStates:
         if func.cls is None or func.is_constructor or not key.startswith("."):
             return None
         found = self.folder.object_fields.at_caller(key, env)
-        if found is not None or key.count(".") > 1:
+        if found is not None or key.count(".") > 2:
             return found
-        if not self._may_differ(key[1:], env.this or func.cls, env):
+        within = key.count(".") == 2
+        if within and (self._is_other_by_now(key, env) or not self.kept_members.is_followed(key, env)):
+            return None
+        if not within and not self._may_differ(key[1:], env.this or func.cls, env):
             return None
         if env.depth > MAX_DEPTH:
             self.folder.cuts += 1
@@ -67,6 +73,10 @@ class ObjectStates:
             (self._known if cuts == self.folder.cuts else self._meanwhile)[asked] = found
             return found
         return self._meanwhile[asked]
+
+    def _is_other_by_now(self, key: str, env: Env) -> bool:
+        """Whether the method itself has given the member something, or done something to it, in which a field lies."""
+        return any(whole in state.holds for state in self.folder.flow.states(env) for whole in owners(key))
 
     def _within_bounds(self, key: str, env: Env) -> Held | None:
         if self._nested >= MAX_NESTED:
@@ -86,7 +96,8 @@ class ObjectStates:
         return not made and self.folder.shifting.is_passed(name, cls)
 
     def _entered(self, key: str, env: Env) -> Held | None:
-        if self.callers.may_be_written_outside(key[1:], env.func) and not self.folder.object_fields.is_known(env):
+        outside = key.count(".") == 1 and self.callers.may_be_written_outside(key[1:], env.func)
+        if outside and not self.folder.object_fields.is_known(env):
             return None
         places = [env.caller] if env.caller is not None else list(self._calling(env))
         found = [self._left(key, place, env) for place in places]
@@ -131,7 +142,7 @@ class ObjectStates:
         helds = self.folder.flow.decisions.ways(state.holds.get(prefix + key, ()))
         if helds:
             return helds
-        if state.called:
+        if state.called or any(prefix + whole in state.holds for whole in owners(key)):
             return None
         return (Held("given", key),) if made is None else self._as_made(key, made)
 
@@ -140,6 +151,8 @@ class ObjectStates:
         run = self.folder.flow.run(maker)
         if run is None or run.end is None or run.end.called:
             return None
+        if key.count(".") > 1 and not self.folder.flow.left(run, key):
+            return self.kept_members.as_made(key, maker, run)
         return (Held("entered", key, env=maker, before=self.folder.flow.left(run, key) or (Held("given", key),)),)
 
     # --- objects -------------------------------------------------------------------------------------------

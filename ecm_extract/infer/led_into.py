@@ -1,0 +1,45 @@
+"""Variables of Python that calls get parts of without naming them: `f(table.get("a"))`, `f(*rows)`, `map(f, rows)`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Set
+
+from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op
+
+from ecm_extract.infer.bare_names import shared_names
+from ecm_extract.link.code.spelling import last_name
+
+
+def led_into(call: Call, giving: Set[str]) -> Iterator[Expr]:
+    """Yield the variables of which arguments of a call may be parts.
+
+    Args:
+        call: the call.
+        giving: functions and methods that give parts of what they get, or are called on.
+    """
+    for arg in (*call.args, *(value for _, value in call.keywords)):
+        if isinstance(arg, Op) and arg.op == "*" and len(arg.operands) == 1:
+            yield from shared_names(arg.operands[0])
+        elif isinstance(arg, Call) and _name(arg) in giving:
+            yield from shared_names(arg)
+
+
+def called_with_parts(call: Call, changes: Callable[[Call], bool]) -> Iterator[Expr]:
+    """Yield the variables whose elements a call like `map` gives to a function that may change them.
+
+    Args:
+        call: the call.
+        changes: tells whether a call may change its argument.
+    """
+    functions = [arg for arg in call.args if isinstance(arg, Name | Member | Lambda)]
+    if any(changes(Call(_as_callee(each), (arg,))) for each in functions for arg in call.args if arg is not each):
+        yield from (name for arg in call.args for name in shared_names(arg))
+
+
+def _name(call: Call) -> str:
+    callee = call.callee
+    return callee.name if isinstance(callee, Member) else last_name(callee.id) if isinstance(callee, Name) else ""
+
+
+def _as_callee(function: Expr) -> Expr:
+    return Name(function.name) if isinstance(function, Lambda) else function

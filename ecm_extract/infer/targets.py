@@ -1,0 +1,53 @@
+"""What the effects of statements ask of who resolves calls."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Set
+from typing import TYPE_CHECKING, Protocol
+
+from ecm_parsers.source.expr import Call, Expr
+
+from ecm_extract.infer.kinds import Exceptions
+
+if TYPE_CHECKING:
+    from ecm_extract.link.code.units import Func
+
+
+class Lending(Protocol):
+    """Who knows which functions are handed to those that only call them."""
+
+    def is_lent(self, call: Call, func: Func, index: int) -> bool:
+        """Tell whether a function of the tree does nothing with an argument of a call in another one but call it."""
+
+
+class Targets(Protocol):
+    """Who knows which function of the tree a call means."""
+
+    def target(self, call: Call, func: Func, at: int) -> Func | None:
+        """Return the function with a body that a call in a statement of a function means."""
+
+    def keeps(self, path: str) -> bool:
+        """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
+
+    def changes(self, func: Func, name: str) -> bool:
+        """Tell whether a function may change what its parameter consists of."""
+
+    def is_outside(self, name: str, func: Func) -> bool:
+        """Tell whether a name in a method of C++ means a variable of a namespace."""
+
+    def shared_members(self, func: Func) -> Mapping[str, Set[str]]:
+        """Return, for members of the object at hand, the others that each may be or consist of, by key."""
+
+    def shown_part(self, call: Call, func: Func) -> Expr | None:
+        """Return the part of an object of C++ that a method gives a reference to; None of other calls."""
+
+    def has_setter(self, name: str, method: Func | None) -> bool:
+        """Tell whether objects of Python have a property that a method sets: that of a method, None for any object."""
+
+    @property
+    def lent(self) -> Lending:
+        """Who knows which functions are handed to those that only call them."""
+
+    @property
+    def exceptions(self) -> Exceptions:
+        """Who knows what raises."""

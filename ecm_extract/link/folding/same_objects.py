@@ -1,0 +1,92 @@
+"""Objects of Python by other names: each is one object, whatever it is asked by and whenever it was put there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name
+
+from ecm_extract.infer.held import all_ways
+from ecm_extract.infer.places import whole_of
+from ecm_extract.link.code.units import Cls
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env
+from ecm_extract.link.running.flow import Flow
+from ecm_extract.link.running.values import Value, unknown
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+_OWN: Final = frozenset({"value", "changed", "stored"})
+"""Ways to hold an object, or a list, that nobody has changed but by statements that are followed."""
+
+
+def place_now(whole: Bound, env: Env, flow: Flow) -> Env | None:
+    """Return where to ask for a field of an object that something is a name of, or was made of.
+
+    None where a variable of the function at hand has meanwhile become another object.
+    """
+    if env.func.file.language != "python" or whole.env.func is not env.func:
+        return whole.env
+    return env if flow.ways(whole.expr, env) == flow.ways(whole.expr, whole.env) else None
+
+
+def by_variable(whole: Bound | None, expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:
+    """Return a field of an object that is a variable of the function at hand, which others were made with.
+
+    Args:
+        whole: the object, as who was made with it has it; None where that is not known.
+        expr: the field.
+        env: the place that asks.
+        folder: who evaluates.
+    """
+    for _ in range(MAX_DEPTH):
+        if whole is None or whole.env.func is env.func or not isinstance(whole.expr, Name | Member):
+            break
+        whole = folder.structures.made(whole.expr, whole.env)
+    if whole is None or env.func.file.language != "python" or whole.env.func is not env.func:
+        return ()
+    if not isinstance(expr.base, Member) or not isinstance(whole.expr, Name | Member):
+        return ()
+    place = place_now(whole, env, folder.flow)
+    return folder.fold(Member(whole.expr, expr.name), place) if place is not None else (unknown(expr.name),)
+
+
+def is_as_made(expr: Expr, env: Env, folder: Folder) -> bool:
+    """Tell whether nobody has changed an object of Python that the function at hand made, or made a list of."""
+    if env.func.file.language != "python":
+        return False
+    root: Expr | None = expr
+    while root is not None and not folder.flow.ways(root, env):
+        root = whole_of(root)
+    ways = folder.flow.ways(root, env) if root is not None else []
+    made = folder.structures.made(expr, env) if isinstance(expr, Name | Member) else folder.lists.element(expr, env)
+    for _ in range(MAX_DEPTH):  # what is passed to who keeps it is made there
+        if made is None or made.env.func is env.func or not isinstance(made.expr, Name | Member):
+            break
+        made = folder.structures.made(made.expr, made.env)
+    own = bool(ways) and all(held.how in _OWN for way in ways for held in all_ways(way))
+    return own and made is not None and isinstance(made.expr, Call)
+
+
+def left_by_maker(name: str, place: Env, exact: bool, folder: Folder) -> tuple[Value, ...]:
+    """Return what a constructor leaves a member with, and unless `exact` what methods of the class make of it."""
+    if place.this is None:
+        return ()
+    run = folder.flow.run(place) if exact and not _changes_unasked(place.this, folder) else None
+    ways = folder.flow.left(run, f".{name}") if run is not None and run.end is not None and not run.end.called else ()
+    if ways:
+        return folder.held.of([ways], place.deeper(place.depth + 1))
+    return folder.members.member_value(name, place.this, place)
+
+
+def _changes_unasked(cls: Cls, folder: Folder) -> bool:
+    """Whether methods that Python runs without a call of their name change members: `with`, operators, properties."""
+    methods = [each for entry in folder.program.ancestry(cls) for each in entry.methods if not each.is_constructor]
+    unasked = (each for each in methods if each.fact.name.startswith("__") or each.fact.decorators)
+    return any(not folder.methods.leaves(each, cls) for each in unasked)
+
+
+def variable_given(call: Call, env: Env, folder: Folder) -> Bound | None:
+    """Return the variable that a function of Python gives back; None where it gives anything else."""
+    given = folder.returns.given_back(Bound(call, env))
+    return given if given.expr is not call else None
