@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 _TABLE: Final = "link/folding/enums.toml"
 _AUTO: Final = frozenset({"enum.auto", "auto"})
 _VALUE: Final = frozenset({"value", "_value_"})
+_LOOKING_UP: Final = frozenset({"_missing_", "__new__", "__init__"})
+"""Methods by which an enumeration says itself what a value stands for."""
 _NAME: Final = frozenset({"name", "_name_"})
 
 
@@ -105,6 +107,14 @@ class EnumFolder:
         if cls is None or data is None or value is UNKNOWN:
             return None
         return next((Enumerated(cls, name) for name, each in data.items() if each == value), None)
+
+    def lacks(self, call: Call, env: Env) -> bool | None:
+        """Tell whether a call looks up a member by a value that none holds; None of other calls, and if not known."""
+        cls = self._class(call.callee, env) if len(call.args) == 1 and not call.keywords else None
+        data = self._all_data(cls, env) if cls is not None else None
+        value = self._data(call.args[0], env) if data else UNKNOWN
+        own = cls is not None and any(each.fact.name in _LOOKING_UP for each in cls.methods)
+        return None if data is None or value is UNKNOWN or own else value not in data.values()
 
     def _of_variable(self, expr: Name | Member, env: Env) -> Enumerated | None:
         ways = self.folder.flow.ways(expr, env)

@@ -127,6 +127,9 @@ class Raises:
         found = invocation_of(call, env)
         if self._makes_exception(found, env):
             return _CALM
+        if (lacks := self.folder.enums.lacks(call, env)) is not None:
+            kind = self.folder.flow.exceptions.kind("ValueError", env.func)
+            return Found(lacks, frozenset({kind}) if kind is not None else None)
         callee = self.folder.returns.meant(found, env)
         if callee is None or not self._runs_at_once(callee) or self._has_others(callee):
             return _OPEN

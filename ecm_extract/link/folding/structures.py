@@ -273,8 +273,7 @@ class StructureFolder:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
         if isinstance(expr, Call) and self._class_called(expr, env) is not None:
             return Bound(expr, env)
-        given = variable_given(expr, env, self.folder) if isinstance(expr, Call) else None
-        if given is not None:
+        if isinstance(expr, Call) and (given := variable_given(expr, env, self.folder)):
             return given
         if not isinstance(expr, Name | Member):
             return self.folder.own_copies.of_element(self.folder.lists.element(expr, env))

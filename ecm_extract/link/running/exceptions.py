@@ -14,6 +14,7 @@ from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import dotted, last_of
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.exception_types import ExceptionTypes
+from ecm_extract.shipped import shipped_names
 
 
 class Exceptions:
@@ -26,6 +27,7 @@ class Exceptions:
         self._calling: dict[tuple[Func, bool], frozenset[int]] = {}
         self._tree: Set[str] | None = None
         self._always: Set[str] | None = None
+        self._enums: Set[str] | None = None
 
     def kind(self, spelled: str, func: Func) -> Kind | None:
         """Return the type of exceptions that is written so in a function; None for what is no type that is known."""
@@ -77,6 +79,7 @@ class Exceptions:
                 if unpacks(each)
                 or has_operation(each.value, func.file.language, empty)
                 or has_operation(each.target, func.file.language, empty)
+                or self._calls_any(func, at, self._names_of_enums())
             )
         return known
 
@@ -87,6 +90,15 @@ class Exceptions:
         if self._tree is None:
             self._tree = {*self.program.functions, *self.program.classes}
         return self._tree
+
+    def _names_of_enums(self) -> Set[str]:
+        """The names of enumerations, of which a call looks up a member."""
+        if self._enums is None:
+            bases = {base.rpartition(".")[2] for base in shipped_names("link/folding/enums.toml", "enums")}
+            classes = (cls for group in self.program.classes.values() for cls in group)
+            found = (cls for cls in classes if any(base.rpartition(".")[2] in bases for base in cls.fact.bases))
+            self._enums = {cls.fact.name for cls in found}
+        return self._enums
 
     def _names_of_always(self) -> Set[str]:
         """The names of functions that all raise, whatever they are called with."""
