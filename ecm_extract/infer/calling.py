@@ -103,7 +103,9 @@ class Calling:
                 how: How = "handed" if key else "reached"
                 before = self.memory.known(root, state, None)
                 state = self.memory.in_place(root, Held(how, root, before=before), state)
-            if key and any("." in each[1:] for each in state.holds) and not self._is_left(call, at):
+            own = self.frame.judge.is_own(call, self.frame.env.func, at)
+            known = any("." in each[1:] if own else lies_in(each, {key}) for each in state.holds) if key else False
+            if known and not self._is_left(call, at):
                 kept = {each: ways for each, ways in state.holds.items() if lies_in(each, {key} & followed)}
                 state = self.memory.sharers_reached({key}, state).having(kept)
         return state
