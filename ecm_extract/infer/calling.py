@@ -102,7 +102,9 @@ class Calling:
                 how: How = "handed" if key else "reached"
                 before = self.memory.known(root, state, None)
                 state = self.memory.in_place(root, Held(how, root, before=before), state)
-            if key and any("." in each[1:] for each in state.holds) and not self._is_left(call, at):
+            own = self.frame.judge.is_own(call, self.frame.env.func, at)
+            known = bool(key) and (state.holds.has_fields if own else bool(state.holds.within(key)))
+            if known and not self._is_left(call, at):
                 kept = {each: state.holds[each] for each in state.holds.within(key)} if key in followed else {}
                 state = self.memory.sharers_reached({key}, state).having(kept)
         return state

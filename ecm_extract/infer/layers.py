@@ -81,6 +81,11 @@ class Layers(Mapping[str, Helds]):
         found = [name for name in self.base.within.get(whole, ()) if over.get(name, True)]
         return found + [name for name in self._added() if name.startswith(dotted)]
 
+    @property
+    def has_fields(self) -> bool:
+        """Whether a field of anything is held, or was beneath."""
+        return bool(self.base.within.keys() - {""}) or any("." in name[1:] for name in self.over)
+
     def alike(self, helds: Helds) -> list[str]:
         """Return the variables that hold the very same."""
         over = self.over

@@ -9,26 +9,21 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.expr import Expr, Member, Name, Number, Text
 
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.places import target_of
-from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.running.arguments import bind
-from ecm_extract.link.running.env import Bound, Env, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.infer.outline import Outline
     from ecm_extract.link.folding.fold import Folder
 
 Named = dict[str, set[str]]
-"""Variable -> the members that it may be, or consist of, and the parameters, by key."""
+"""Variable -> the members that it may be, or consist of, by key."""
 _PLAIN_TYPES: Final = frozenset({"str", "int", "float", "bool", "bytes"})
-MAX_HANDED: Final = 4
-"""Functions that hand a parameter on, each to the next, of which is asked what they were passed."""
 _NONE: Final[Mapping[str, Set[str]]] = {}
 
 
@@ -38,7 +33,6 @@ class SharedMembers:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._known: dict[Cls, Mapping[str, Set[str]]] = {}
-        self._calls: dict[str, list[tuple[Invocation, Env]]] = defaultdict(list)
 
     def of(self, func: Func) -> Mapping[str, Set[str]]:
         """Return, for members of the object at hand, the others that each may be or consist of, by key."""
@@ -51,7 +45,10 @@ class SharedMembers:
         return self._known[cls]
 
     def _found(self, cls: Cls) -> Mapping[str, Set[str]]:
-        return _between_members(self.named(cls)[1].values())
+        outlines, named = self.named(cls)
+        plain = _plain_members(outlines)
+        found = _between_members(named.values())
+        return {key: others - plain for key, others in found.items() if key not in plain and others - plain}
 
     def named(self, cls: Cls) -> tuple[Sequence[Outline], Mapping[Func, Named]]:
         """Return the methods of a class, with what the variables of each may be or consist of."""
@@ -85,51 +82,26 @@ class SharedMembers:
         return any(keys for _, _, keys in new)
 
     def meant(self, value: Expr | None, outline: Outline, own: Named) -> set[str]:
-        """Return the members, and the parameters, that a value may be or consist of."""
+        """Return the members that a value may be or consist of."""
         keys = {outline.effects.key(each) or outline.effects.root(each) for each in shared_names(value)} - {""}
-        given = (key for key in keys if key in outline.func.given and not self._is_plain(key, outline.func, MAX_HANDED))
-        meant = {*given, *(key for key in keys if key.startswith("."))}
+        meant = {key for key in keys if key.startswith(".")}
         return meant.union(*(own.get(key, ()) for key in keys))
 
-    def _is_plain(self, name: str, func: Func, handed: int) -> bool:
-        """Whether a parameter is a text or a number, which nobody can change: by its type, or by all that is passed."""
-        if _by_type(func, name) or not handed:
-            return bool(handed)
-        calls = self._making(func) if func.is_constructor else self.folder.states.callers.all(func)
-        passed = [bind(func, call, place).get(name) for call, place in calls]
-        return bool(passed) and all(each is not None and self._is_plain_value(each, handed) for each in passed)
 
-    def _making(self, maker: Func) -> Iterator[tuple[Invocation, Env]]:
-        """The calls that may run a constructor: of its class, of classes that derive from it, and of `__init__`."""
-        cls, program = maker.cls, self.folder.program
-        derived = program.derived(cls) if cls is not None else ()
-        names = {entry.fact.name for entry in (cls, *derived) if entry is not None}
-        for call, place in self._by_name(names):
-            yield call, place
-        for call, place in self._by_name({maker.fact.name}):
-            if call.func.cls in derived:
-                yield call, place
-
-    def _by_name(self, names: Set[str]) -> Iterator[tuple[Invocation, Env]]:
-        if not self._calls:
-            for func in self.folder.program.every_function():
-                for at, group in enumerate(func.calls if func.file.language == "python" else ()):
-                    for call in group:
-                        found = invocation_of(call, Env(func, at))
-                        self._calls[found.last].append((found, Env(func, at)))
-        yield from (each for name in names for each in self._calls.get(name, ()))
-
-    def _is_plain_value(self, passed: Bound, handed: int) -> bool:
-        expr, func = passed.expr, passed.env.func
-        if isinstance(expr, Name) and expr.id in func.given:
-            bound = self.folder.flow.outline(func).changes.get(expr.id, 0) > 0
-            return not bound and self._is_plain(expr.id, func, handed - 1)
-        return is_plain(expr)
+def _plain_members(outlines: Sequence[Outline]) -> Set[str]:
+    """The members that are texts or numbers, which nobody can change: by all that methods give them."""
+    given: dict[str, list[bool]] = defaultdict(list)
+    for outline in outlines:
+        for key, value in _given(outline):
+            given[key].append(is_plain(value) or _is_declared_plain(value, outline.func))
+    return frozenset(key for key, values in given.items() if key.startswith(".") and all(values))
 
 
-def _by_type(func: Func, name: str) -> bool:
-    written = next((each.type for each in func.fact.params if each.name == name), "")
-    return written in _PLAIN_TYPES
+def _is_declared_plain(value: Expr | None, func: Func) -> bool:
+    """Whether a value is a parameter that is declared as a text or a number, or is one if nothing is passed."""
+    name = value.id if isinstance(value, Name) else ""
+    declared = next((each for each in func.fact.params if each.name == name), None)
+    return declared is not None and (declared.type in _PLAIN_TYPES or isinstance(declared.default, Text | Number))
 
 
 def _given(outline: Outline) -> Iterator[tuple[str, Expr | None]]:
@@ -144,22 +116,16 @@ def _given(outline: Outline) -> Iterator[tuple[str, Expr | None]]:
 
 
 def _between_members(named: Iterable[Named]) -> Mapping[str, Set[str]]:
-    """Member -> the others that it shares objects with: what it is given, and what is given the same parameter."""
+    """Member -> the others that it shares objects with: what it is given."""
     found: dict[str, set[str]] = defaultdict(set)
     for own in named:
         for key, keys in own.items():
             member = _member(key)
             if member:
                 found[member] |= {other for each in keys if (other := _member(each)) and other != member}
-                alike = {_member(other) for other, others in own.items() if _params(keys) & _params(others)}
-                found[member] |= alike - {"", member}
     return {member: frozenset(others) for member, others in found.items() if others}
 
 
 def _member(key: str) -> str:
     """The member that a key is, or lies in."""
     return f".{key.split('.')[1]}" if key.startswith(".") else ""
-
-
-def _params(keys: Set[str]) -> set[str]:
-    return {key for key in keys if not key.startswith(".")}
