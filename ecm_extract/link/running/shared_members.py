@@ -6,8 +6,8 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
-from typing import TYPE_CHECKING, Final
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from ecm_parsers.source.expr import Expr, Member, Name, Number, Text
 
@@ -27,12 +27,25 @@ _PLAIN_TYPES: Final = frozenset({"str", "int", "float", "bool", "bytes"})
 _NONE: Final[Mapping[str, Set[str]]] = {}
 
 
+class _Flows(NamedTuple):
+    """What flows into a variable of a method.
+
+    Attributes:
+        into: the method. key: the variable. names: the variables that its value names, of the method that gives it.
+    """
+
+    into: Func
+    key: str
+    names: Set[str]
+
+
 class SharedMembers:
     """Finds them; each class is looked through once."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._known: dict[Cls, Mapping[str, Set[str]]] = {}
+        self._named: dict[Cls, tuple[Sequence[Outline], Mapping[Func, Named]]] = {}
 
     def of(self, func: Func) -> Mapping[str, Set[str]]:
         """Return, for members of the object at hand, the others that each may be or consist of, by key."""
@@ -52,6 +65,11 @@ class SharedMembers:
 
     def named(self, cls: Cls) -> tuple[Sequence[Outline], Mapping[Func, Named]]:
         """Return the methods of a class, with what the variables of each may be or consist of."""
+        if cls not in self._named:
+            self._named[cls] = self._flown(cls)
+        return self._named[cls]
+
+    def _flown(self, cls: Cls) -> tuple[Sequence[Outline], Mapping[Func, Named]]:
         program = self.folder.program
         lineage = (*program.ancestry(cls), *program.derived(cls))
         methods = [method for entry in lineage for method in entry.methods]
@@ -61,31 +79,47 @@ class SharedMembers:
             for each in (method, *self.folder.nesting.inner(method))
         ]
         named: dict[Func, Named] = {outline.func: defaultdict(set) for outline in outlines}
-        while sum(self._noted(outline, named) for outline in outlines):
-            pass
+        flows = {outline.func: [*_within(outline), *self._handed(outline, named)] for outline in outlines}
+        grows = True
+        while grows:
+            grows = sum(_noted(each, named[func], named) for func, found in flows.items() for each in found) > 0
         return outlines, named
 
-    def _noted(self, outline: Outline, named: Mapping[Func, Named]) -> bool:
-        """Note what a method gives its variables, members and what it calls; tells whether any of that is new."""
-        own = named[outline.func]
-        more = [(key, self.meant(value, outline, own)) for key, value in _given(outline)]
-        new = [(own, key, keys - own[key]) for key, keys in more if keys - own[key]]
+    def _handed(self, outline: Outline, methods: Collection[Func]) -> Iterator[_Flows]:
+        """Yield what a method hands to others of the object at hand."""
         for call in (call for group in outline.func.calls for call in group):
             callee = self.folder.flow.target(call, outline.func, 0) if is_own_member(call.callee) else None
-            if callee is None or callee not in named:
-                continue
-            for param, arg in zip(callee.fact.params, call.args, strict=False):
-                keys = {key for key in self.meant(arg, outline, own) if key.startswith(".")}
-                new += [(named[callee], param.name, keys - named[callee][param.name])]
-        for there, key, keys in new:
-            there[key] |= keys
-        return any(keys for _, _, keys in new)
+            if callee is not None and callee in methods:
+                for param, arg in zip(callee.fact.params, call.args, strict=False):
+                    yield _Flows(callee, param.name, _names(arg, outline))
 
     def meant(self, value: Expr | None, outline: Outline, own: Named) -> set[str]:
         """Return the members that a value may be or consist of."""
-        keys = {outline.effects.key(each) or outline.effects.root(each) for each in shared_names(value)} - {""}
-        meant = {key for key in keys if key.startswith(".")}
-        return meant.union(*(own.get(key, ()) for key in keys))
+        return _members_of(_names(value, outline), own)
+
+
+def _within(outline: Outline) -> Iterator[_Flows]:
+    """Yield what a method gives its variables and members."""
+    return (_Flows(outline.func, key, _names(value, outline)) for key, value in _given(outline))
+
+
+def _names(value: Expr | None, outline: Outline) -> Set[str]:
+    """The variables that a value names, by key."""
+    named = {outline.effects.key(each) or outline.effects.root(each) for each in shared_names(value)}
+    return frozenset(named - {""})
+
+
+def _members_of(names: Set[str], own: Named) -> set[str]:
+    """The members that variables of a method may be or consist of."""
+    return {name for name in names if name.startswith(".")}.union(*(own.get(name, ()) for name in names))
+
+
+def _noted(each: _Flows, own: Named, named: Mapping[Func, Named]) -> bool:
+    """Note what flows into a variable; tells whether any of that is new."""
+    known = named[each.into][each.key]
+    new = _members_of(each.names, own) - known
+    known |= new
+    return bool(new)
 
 
 def _plain_members(outlines: Sequence[Outline]) -> Set[str]:
