@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
 _GIVING = frozenset({"let", "set"})
+_Literal = Constant | Number | Text
 
 
 class GivenOnce:
@@ -31,19 +32,20 @@ class GivenOnce:
         if isinstance(expr, Op):
             return Op(expr.op, tuple(self.put_in(part, func, before) for part in expr.operands))
         given = self._value(expr, func, before) if isinstance(expr, Name | Member) else None
-        return given if isinstance(given, Constant | Number | Text) else expr
+        return given if given is not None else expr
 
     def _value(self, expr: Name | Member, func: Func, before: Sequence[int]) -> Expr | None:
         """What a local variable, or a member of an object of Python, was surely given; None for all others."""
         outline = self.folder.flow.outline(func)
         key = outline.effects.key(expr)
-        if not key or not _is_given_once(key, outline):
-            return None
-        if not (self._is_member(expr, func) if isinstance(expr, Member) else self._is_local(expr, func)):
-            return None
         ran = (func.fact.body[at] for at in before)
         found = next((entry for entry in ran if entry.target == expr), None)
-        return found.value if found is not None and _is_plain(found) else None
+        if found is None or not isinstance(found.value, _Literal) or not _is_plain(found):
+            return None
+        if not key or not _is_given_once(key, outline):
+            return None
+        own = self._is_member(expr, func) if isinstance(expr, Member) else self._is_local(expr, func)
+        return found.value if own else None
 
     def _is_local(self, expr: Name, func: Func) -> bool:
         outline = self.folder.flow.outline(func)

@@ -39,8 +39,8 @@ def _table() -> _Table:
 
 def macro_that_prints(node: Node) -> str:
     """Return the name of the macro that a call is of, if that prints or compares what it gets; empty for others."""
-    callee = node.child_by_field_name("function")
-    if node.type != "call_expression" or callee is None or callee.type != "identifier":
+    callee = node.child_by_field_name("function") if node.type == "call_expression" else None
+    if callee is None or callee.type != "identifier":
         return ""
     name = (callee.text or b"").decode(errors="replace")
     prints = name.isupper() and name.startswith(_table().printing) and not name.startswith(_table().asserting)
