@@ -11,7 +11,7 @@ from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of
-from ecm_parsers.source.cpp_vexing import as_arguments
+from ecm_parsers.source.cpp_vexing import as_arguments, as_choice
 from ecm_parsers.source.expr import Call, Expr, Items, Name
 
 if TYPE_CHECKING:
@@ -44,6 +44,10 @@ class Binding:
             return
         if declarator.type == "function_declarator":
             self._constructed(kind, declarator)
+            return
+        choice = as_choice(self.expr, kind, declarator)
+        if choice is not None:
+            self.writer.add("do", declaration, choice)
             return
         bound = declarator.child_by_field_name("declarator") or declarator
         target = self.bound(bound)

@@ -1,4 +1,4 @@
-"""What reads as a function without being one: `QoS qos(QoS::from(profile));` in a body, and macros."""
+"""What reads as a function without being one: `QoS qos(QoS::from(profile));` and `on && go();` in a body, macros."""
 
 from __future__ import annotations
 
@@ -48,6 +48,20 @@ def _argument(reader: ExprReader, child: Node) -> Expr | None:
     if given is None:
         return None
     return Call(name, given, (), reader.template_arguments(written), child.start_point[0] + 1)
+
+
+def as_choice(reader: ExprReader, kind: Node, declarator: Node) -> Expr | None:
+    """Return what `ready && load(x);` means in a body, which reads as a function of a type `ready`; None of others."""
+    inner = declarator.named_children[0] if len(declarator.named_children) == 1 else None
+    if declarator.type != "reference_declarator" or declarator.children[0].type != "&&" or inner is None:
+        return None
+    named, listed = inner.child_by_field_name("declarator"), inner.child_by_field_name("parameters")
+    if kind.type != "type_identifier" or named is None or listed is None or named.type != "identifier":
+        return None
+    args = as_arguments(reader, listed)
+    if args is None:
+        return None
+    return Op("&&", (Name(reader.text(kind)), Call(Name(reader.text(named)), args, (), (), inner.start_point[0] + 1)))
 
 
 def is_call_of_macro(node: Node, scope: str, name: str) -> bool:
