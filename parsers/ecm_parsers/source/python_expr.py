@@ -28,6 +28,7 @@ from ecm_parsers.source.expr import (
     Template,
     Text,
 )
+from ecm_parsers.source.python_choices import may_not_happen
 from ecm_parsers.source.python_fields import field_of, table_of
 from ecm_parsers.source.python_literal import (
     FALSE,
@@ -292,9 +293,12 @@ def _named(scan: Scan, node: Node) -> Expr:
     children = parts(node)
     if len(children) != 2:
         return scan.opaque(node)
-    target = scan.expr(children[0])
-    scan.emit("set", node, scan.expr(children[1]), target)
-    return target
+    target = target_value = scan.expr(children[0])
+    value = scan.expr(children[1])
+    if may_not_happen(node):
+        target_value = value = scan.opaque(node)
+    scan.emit("set", node, value, target)
+    return target_value
 
 
 def _keyword_value(scan: Scan, node: Node) -> Expr:
