@@ -6,7 +6,6 @@ from collections.abc import Iterator, Set
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
-from ecm_parsers.source.cpp_logging import PRINTED
 from ecm_parsers.source.expr import (
     THIS,
     Call,
@@ -145,7 +144,7 @@ class Effects:
         if not (passed or named or within or led) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
-        if target is None and (last in self.calls.reading or statement.type == PRINTED):
+        if target is None and last in self.calls.reading:
             yield from self._by_calling(call, at) if self.python and last in self.calls.calling else ()
             return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Lambda, Member, Name
 
+from ecm_extract.infer.bare_names import bare_names
 from ecm_extract.infer.held import all_ways
 from ecm_extract.infer.places import whole_of
-from ecm_extract.link.code.units import Cls
+from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.values import Value, unknown
@@ -80,10 +82,27 @@ def left_by_maker(name: str, place: Env, exact: bool, folder: Folder) -> tuple[V
 
 
 def _changes_unasked(cls: Cls, folder: Folder) -> bool:
-    """Whether methods that Python runs without a call of their name change members: `with`, operators, properties."""
-    methods = [each for entry in folder.program.ancestry(cls) for each in entry.methods if not each.is_constructor]
+    """Whether members may change without a call of a method by its name.
+
+    Methods that Python runs do so, for `with`, operators and properties, and those that are handed to others, as
+    callbacks are; whoever is handed the object itself may give them anything.
+    """
+    everything = [each for entry in folder.program.ancestry(cls) for each in entry.methods]
+    handed = [arg for method in everything for arg in _handed_on(method)]
+    if any(arg == THIS or isinstance(arg, Lambda) for arg in handed):
+        return True
+    names = {arg.name for arg in handed if isinstance(arg, Member) and arg.base == THIS}
+    methods = (each for each in everything if not each.is_constructor)
     unasked = (each for each in methods if each.fact.name.startswith("__") or each.fact.decorators)
-    return any(not folder.methods.leaves(each, cls) for each in unasked)
+    named = (each for each in everything if each.fact.name in names)
+    return any(not folder.methods.leaves(each, cls) for each in (*unasked, *named))
+
+
+def _handed_on(method: Func) -> Iterator[Expr]:
+    """Yield what a method gives to what it calls, in whatever it stands."""
+    for call in (call for group in method.calls for call in group):
+        for arg in (*call.args, *(value for _, value in call.keywords)):
+            yield from (arg, *bare_names(arg))
 
 
 def variable_given(call: Call, env: Env, folder: Folder) -> Bound | None:

@@ -276,6 +276,11 @@ class Program:
                         self._derived[base].append(entry)
         return self._derived.get(cls, ())
 
+    def related(self, cls: Cls) -> Sequence[Cls]:
+        """Return the classes of which an object of a class, or of one that derives from it, may have methods."""
+        objects = (cls, *self.derived(cls))
+        return list(dict.fromkeys(each for entry in objects for each in self.ancestry(entry)))
+
     def base_names(self, cls: Cls) -> list[str]:
         """Return all base names of the ancestry as written, those outside the tree included."""
         return [

@@ -48,9 +48,7 @@ class GivenItself:
         return frozenset() if not _gives_itself(arg) else None
 
     def _methods(self, name: str, this: Cls) -> list[Func]:
-        program = self.folder.program
-        lineage = (*program.ancestry(this), *program.derived(this))
-        return [each for entry in lineage for each in entry.methods if each.fact.name == name]
+        return [each for entry in self.folder.program.related(this) for each in entry.methods if each.fact.name == name]
 
     def _by_methods(self, methods: list[Func], this: Cls) -> Set[str] | None:
         found: set[str] = set()

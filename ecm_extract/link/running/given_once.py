@@ -59,8 +59,7 @@ class GivenOnce:
         cls = func.cls
         if cls is None or expr.base != THIS or func.file.language != "python":
             return False
-        family = {*self.folder.program.ancestry(cls), *self.folder.program.derived(cls)}
-        if any(self._gives(expr.name, each, func) for each in family):
+        if any(self._gives(expr.name, each, func) for each in self.folder.program.related(cls)):
             return False
         return not self.folder.changed_outside.may_be_changed(expr.name, cls)
 

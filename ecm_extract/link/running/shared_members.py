@@ -70,9 +70,7 @@ class SharedMembers:
         return self._named[cls]
 
     def _flown(self, cls: Cls) -> tuple[Sequence[Outline], Mapping[Func, Named]]:
-        program = self.folder.program
-        lineage = (*program.ancestry(cls), *program.derived(cls))
-        methods = [method for entry in lineage for method in entry.methods]
+        methods = [method for entry in self.folder.program.related(cls) for method in entry.methods]
         outlines = [
             self.folder.flow.outline(each)
             for method in methods

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import msgspec
 
@@ -18,16 +19,14 @@ from ecm_parsers.source.flow import Branch
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-PRINTED: Final = "printed"
-"""Type of the statement that an argument is: what it is handed to only prints it."""
-
 
 class _Table(msgspec.Struct, frozen=True):
     """What is known of such macros; see cpp_logging.toml."""
 
     printing: tuple[str, ...]
     asserting: tuple[str, ...]
-    quiet: str
+    sometimes: tuple[str, ...]
+    condition: Mapping[str, int]
     asking: frozenset[str]
 
 
@@ -60,22 +59,28 @@ class Printing:
         self.writer = writer
 
     def read(self, macro: str, node: Node) -> None:
-        """Read the arguments of a call of a macro; what is printed on a quiet level only may not be evaluated."""
-        self.writer.begin()
+        """Read the arguments of a call of a macro, which may not be evaluated where it prints sometimes only.
+
+        What tells whether it prints is evaluated first.
+        """
         given = node.child_by_field_name("arguments")
-        for argument in given.named_children if given is not None else ():
+        arguments = list(given.named_children) if given is not None else []
+        asked = next((at for word, at in _table().condition.items() if word in macro), None)
+        if asked is not None and asked < len(arguments):
+            self._argument(arguments.pop(asked))
+        self.writer.begin()
+        for argument in arguments:
             self._argument(argument)
         steps = self.writer.end()
-        if steps and _table().quiet in macro:
-            self.writer.step(Branch(Opaque(macro), steps))
-            return
+        if steps and any(word in macro for word in _table().sometimes):
+            steps = (Branch(Opaque(macro), steps),)
         for step in steps:
             self.writer.step(step)
 
     def _argument(self, node: Node) -> None:
         for part in shifted(self.expr.read(node)):  # a stream gets them, whatever the first is
             if _does_something(part):
-                self.writer.add("do", node, part, declared=PRINTED)
+                self.writer.add("do", node, part)
 
 
 def _does_something(value: Expr) -> bool:
