@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Items, Member, Name, Table
-from ecm_parsers.source.python_literal import NULL
+from ecm_parsers.source.expr import Constant, Expr, Items, Member, Name, Table
 
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.run import Run
@@ -24,33 +23,8 @@ def only_source(
     expr: Name | Member, given: Sequence[tuple[Held, Env]], env: Env, folder: Folder
 ) -> tuple[Held, Env] | None:
     """Return the one thing that methods give a list or a table; None where it may also be as its class declares it."""
-    given = given if len(given) <= 1 else _makers(given, folder)
     is_one = len(given) == 1 and not _may_be_as_declared(expr, given[0][1].func, env, folder)
     return given[0] if is_one else None
-
-
-def _makers(given: Sequence[tuple[Held, Env]], folder: Folder) -> Sequence[tuple[Held, Env]]:
-    """What is left of what methods give without what a constructor begins with empty, and what a method leaves twice.
-
-    All of it where the rest depends on what was there before.
-    """
-    making = [each for each in given if not _begins_empty(*each, folder)]
-    left = [each for each in making if not _is_left_by(*each, [place.func for _, place in making], folder)]
-    return left if all(held.how == "value" for held, _ in left) else given
-
-
-def _begins_empty(held: Held, place: Env, folder: Folder) -> bool:
-    """Whether it is nothing, or a list or a table without elements, that a constructor gives."""
-    if held.how != "value" or not place.func.is_constructor:
-        return False
-    return held.expr == NULL or folder.held.items(held, place) == [] or folder.tables.held_entries(held, place) == []
-
-
-def _is_left_by(held: Held, place: Env, givers: Sequence[Func], folder: Folder) -> bool:
-    """Whether it is what a method leaves that gives it for itself, too."""
-    if held.how != "after" or not isinstance(held.expr, Call):
-        return False
-    return folder.flow.target(held.expr, place.func, held.at) in [func for func in givers if func is not place.func]
 
 
 def _may_be_as_declared(expr: Name | Member, giver: Func, env: Env, folder: Folder) -> bool:

@@ -292,16 +292,12 @@ class HeldFolder:
             return None
         return self.items(states[0][0], env)
 
-    def any_items(self, ways: Iterable[tuple[Held, ...]], env: Env, indexed: bool = False) -> tuple[list[Bound], bool]:
-        """Return the elements of all lists that a variable may hold, and whether that is all of them.
-
-        A loop over a table takes its keys; an index gives none of them.
-        """
+    def any_items(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[list[Bound], bool]:
+        """Return the elements of all lists that a variable may hold, and whether that is all of them."""
         found: list[Bound] = []
         known = True
         for held in dict.fromkeys(held for helds in self._states(ways, env) for held in helds):
-            table = indexed and self.folder.tables.held_entries(held, env) is not None
-            items = [] if table else self.items(held, env)
+            items = self.items(held, env)
             known = known and items is not None
             found += items or []
         return found, known

@@ -54,7 +54,7 @@ class ListFolder:
         items = self.items(expr, env)
         if items is not None:
             return self._folded(items, env) or (unknown("item"),)
-        some, _ = self.folder.held.any_items(self._ways(expr, env), env)
+        some, _ = self._some(expr, env)
         rest = self.open.element(expr, env, whole=True)
         return alternatives((*self._folded(some, env), *rest)) if some else rest
 
@@ -65,6 +65,10 @@ class ListFolder:
     def fold(self, bound: Bound, env: Env) -> tuple[Value, ...]:
         """Return the values of an element, as a part of an evaluation at a place."""
         return self.folder.fold(bound.expr, bound.env.deeper(max(env.depth, bound.env.depth) + 1))
+
+    def _some(self, expr: Expr | None, env: Env) -> tuple[list[Bound], bool]:
+        """Elements that a list surely may have, where not all are known."""
+        return self.folder.held.any_items(self._ways(expr, env), env)
 
     def _ways(self, expr: Expr | None, env: Env) -> Sequence[tuple[Held, ...]]:
         """What a variable may hold, as the function at hand has it, or as all methods leave it."""
@@ -77,11 +81,12 @@ class ListFolder:
         if isinstance(index, Op) and index.op == ":":
             return self._sliced_text(expr, index, env)
         keys = self.folder.fold(index, env)
+        known = len(keys) == 1 and is_proved(keys[0])
         entries = self.folder.tables.entries(expr, env)
         if entries is not None:
             return self.folder.tables.entry(entries, index, env)
         items = self.items(expr, env)
-        data = data_in(keys[0]) if len(keys) == 1 and is_proved(keys[0]) else UNKNOWN
+        data = data_in(keys[0]) if known else UNKNOWN
         if items is not None and isinstance(data, int) and -len(items) <= data < len(items):
             return demoted(self.fold(items[data], env))
         if items is not None and data is UNKNOWN:
@@ -100,14 +105,8 @@ class ListFolder:
         if isinstance(data, str) and env.func.file.language == "python":  # a list has no such index
             others = not isinstance(expr, Name | Member) or self.is_others(expr, env)
             return self.folder.tables.entry_of_any([] if others else self._ways(expr, env), index, env, rest)
-        return rest if items is not None else self._of_any(expr, index, env, rest)
-
-    def _of_any(self, expr: Expr | None, index: Expr, env: Env, rest: tuple[Value, ...]) -> tuple[Value, ...]:
-        """What an index may give of each list, and of each table, that a variable may hold."""
-        ways = self._ways(expr, env)
-        some, _ = self.folder.held.any_items(ways, env, indexed=True)
-        found = (*self._folded(some, env), *self.folder.tables.entry_of_any(ways, index, env, ()))
-        return alternatives((*found, *rest)) if found else rest
+        some, _ = self._some(expr, env) if items is None else ([], True)
+        return alternatives((*self._folded(some, env), *rest)) if some else rest
 
     def _part_of_text(self, call: Invocation, at: int, env: Env) -> tuple[Value, ...] | None:
         """`text.split("/")[-1]` of each of the texts that it may be; None for other calls."""
