@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member
 from ecm_parsers.source.facts import Statement
-from ecm_parsers.source.flow import Block, Branch, Leave, blocks
+from ecm_parsers.source.flow import Block, Branch, Leave, blocks, steps
 from msgspec.structs import replace
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.code.units import Cls
+from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.endpoints.qos_made import Evaluating, Policies, QosMade
-from ecm_extract.link.endpoints.qos_presets import agreed
+from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env, invocation_of
 
@@ -53,7 +53,21 @@ class OwnProfiles:
         if cls is None or maker is None:
             return None
         place = Env(maker, 0, bind(maker, call, env), this=cls, depth=env.depth + 1)
-        return self._of_block(self.folder.flow.outline(maker).block, place, {}, level)
+        return self._of_maker(place, level)
+
+    def _of_maker(self, place: Env, level: int) -> Policies:
+        """What a constructor makes; of one that may end early, or has its methods set something, nobody knows it."""
+        block = self.folder.flow.outline(place.func).block
+        return self._of_block(block, place, {}, level) if self._shows_all(place.func) else dict(UNSEEN)
+
+    def _shows_all(self, maker: Func) -> bool:
+        """Whether all that a constructor sets stands in its own steps, of which each run takes every one."""
+        left = any(isinstance(step, Leave) and step.how == "return" for step in steps(maker.fact.flow))
+        if left or any(entry.kind == "return" for entry in maker.fact.body):
+            return False
+        calls = ((call, at) for at, group in enumerate(maker.calls) for call in group)
+        found = (self.folder.flow.target(call, maker, at) for call, at in calls)
+        return all(method is None or method.is_constructor or method.cls is None for method in found)
 
     def _is_profile(self, cls: Cls) -> bool:
         lineage = self.folder.program.ancestry(cls)
@@ -64,8 +78,7 @@ class OwnProfiles:
         maker = self.folder.objects.constructor(cls, len(call.args))
         if maker is None or maker.cls is None:
             return self.made.of_call(_PROFILE, expr, env, level + 1)
-        place = Env(maker, 0, bind(maker, call, env), this=cls, depth=env.depth + 1)
-        return self._of_block(self.folder.flow.outline(maker).block, place, {}, level)
+        return self._of_maker(Env(maker, 0, bind(maker, call, env), this=cls, depth=env.depth + 1), level)
 
     def _of_block(self, block: Block, place: Env, policies: Policies, level: int) -> Policies:
         """What steps make of a profile; of a branch the side that its condition is known to take, else what both do."""

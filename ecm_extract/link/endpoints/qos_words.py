@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from typing import Any
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
-from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.endpoints.qos_picked import PickedProfiles
 from ecm_extract.link.endpoints.qos_values import policy_asked, policy_called, policy_word
 from ecm_extract.link.endpoints.qos_variables import QosVariables
@@ -79,13 +79,18 @@ class QosWords:
 
     def _is_of_tree(self, value: Expr, env: Env) -> bool:
         """Whether a name is a variable of the tree, which holds any policy whatever it is called."""
-        if is_own_member(value) or self._is_own(value, env):
+        root = self.folder.flow.effects(env.func).root(value) if isinstance(value, Member) else ""
+        if self._is_own(value, env) or root.startswith(".") or root.partition(".")[0] in self._own(env):
             return True
         stated = self.folder.scope.constant(dotted_name(value), env) if isinstance(value, Name | Member) else None
         return stated is not None and not isinstance(stated[0].value, Number | None)  # else the library's enumeration
 
     def _is_own(self, value: Expr, env: Env) -> bool:
-        return isinstance(value, Name) and value.id in self.folder.flow.outline(env.func).effects.own
+        return isinstance(value, Name) and value.id in self._own(env)
+
+    def _own(self, env: Env) -> Set[str]:
+        """The variables of the function at hand."""
+        return self.folder.flow.effects(env.func).own
 
     def _of_constant(self, value: Name | Member, env: Env, level: int) -> set[str]:
         """What a module, a class or a namespace gives a variable that nobody changes."""
