@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import atexit
+import gc
 import os
+import shutil
+import sys
 import tempfile
 from collections.abc import Iterator
 from functools import cache
@@ -11,6 +15,7 @@ from pathlib import Path
 import hypothesis
 import pytest
 from golden_files import Golden
+from kept_modules import Kept
 from workspaces import Workspace
 
 from ecm_extract.cache.version import version_of
@@ -28,6 +33,16 @@ def pytest_configure() -> None:
     if "TMPDIR" not in os.environ and os.access(_IN_MEMORY, os.W_OK | os.X_OK):
         os.environ["TMPDIR"] = str(_IN_MEMORY)
         tempfile.tempdir = None
+    if sys.dont_write_bytecode and "PYTHONPYCACHEPREFIX" not in os.environ:
+        _keep_bytecode_aside()
+
+
+def _keep_bytecode_aside() -> None:
+    """Where no bytecode is to lie beside the code, processes of tests have a folder for it: they start many times."""
+    folder = tempfile.mkdtemp(prefix="ecm-bytecode-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    os.environ["PYTHONPYCACHEPREFIX"] = folder
+    del os.environ["PYTHONDONTWRITEBYTECODE"]
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -48,6 +63,22 @@ def _code_that_stays() -> Iterator[None]:
         for name in _MAKERS_OF_KEYS:
             patch.setattr(name, cache(version_of))
         yield
+
+
+@pytest.fixture(scope="session")
+def _kept() -> Iterator[Kept]:
+    """The tests stay, and code of ours that thaws what it froze would thaw them too."""
+    kept = Kept(gc.freeze)
+    with pytest.MonkeyPatch.context() as patch:
+        for name in ("freeze", "unfreeze"):
+            patch.setattr(gc, name, lambda: None)
+        yield kept
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _modules_that_stay(_kept: Kept) -> None:
+    """What a file of tests imported stays for the next ones."""
+    _kept.look()
 
 
 @pytest.fixture

@@ -189,8 +189,11 @@ Data()
 """
 
 
-def test_a_function_that_works_on_data_costs_the_others_nothing(workspace: Any) -> None:
+def test_a_function_that_works_on_data_costs_the_others_nothing(
+    workspace: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """What one function may take is bounded and told, whatever it is handed; names elsewhere are computed as before."""
+    monkeypatch.setattr(steps, "MAX_FUNCTION", 6_000)
     asked = "".join(
         f'        if self.work({size})[3] == 4:\n            rospy.Publisher("s{size}", String)\n' for size in range(40)
     )
