@@ -7,15 +7,13 @@ import subprocess
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
 
-
-def test_findings_do_not_depend_on_the_seed_of_hashes() -> None:
+def test_findings_do_not_depend_on_the_seed_of_hashes(apart: Path) -> None:
     """Fingerprints are committed to files: one cause must not have two of them."""
     program = [sys.executable, "-c", "from ecm_extract.cli import main; main()"]
     outputs = set()
     for seed in ("1", "2", "3"):
-        arguments = ["lint", "--preview", str(ROOT / "fixtures" / "lint"), "--format", "json", "--fail-on", "never"]
+        arguments = ["lint", "--preview", str(apart), "--format", "json", "--fail-on", "never"]
         environment = {**os.environ, "PYTHONHASHSEED": seed}
         done = subprocess.run([*program, *arguments], capture_output=True, check=True, env=environment)
         outputs.add(done.stdout)

@@ -7,7 +7,8 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,7 @@ NORTH, SOUTH, NEAR_NORTH = "/harbour/north_light", "/harbour/south_light", "/har
 
 
 @pytest.fixture(scope="module")
-def run(tmp_path_factory: pytest.TempPathFactory) -> Run:
+def run(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Run]:
     """The tool, from a copy whose tables have more rows."""
     code = tmp_path_factory.mktemp("code")
     for package in (ecm_checker, ecm_extract):
@@ -33,14 +34,21 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Run:
         before = table.read_text("utf-8") if table.exists() else ""
         table.write_text(before + rows, "utf-8")
     environment = {**os.environ, "PYTHONPATH": str(code), "ECM_CACHE_DIR": str(code / "cache")}
+    command = [sys.executable, str(Path(__file__).with_name("answering.py"))]
+    pipe = subprocess.PIPE
+    with subprocess.Popen(command, env=environment, stdin=pipe, stdout=pipe, text=True) as process:
+        yield partial(_answer, process, code)
 
-    def tool(*arguments: object, at: Path = code) -> str:
-        command = [sys.executable, "-c", "from ecm_extract.cli import main; main()", *map(str, arguments)]
-        done = subprocess.run(command, env=environment, cwd=at, capture_output=True, text=True, check=False)
-        assert done.returncode in {0, 1}, done.stderr
-        return done.stdout
 
-    return tool
+def _answer(process: subprocess.Popen[str], code: Path, *arguments: object, at: Path | None = None) -> str:
+    assert process.stdin is not None
+    assert process.stdout is not None
+    out, err = code / "out", code / "err"
+    asked = {"words": [*map(str, arguments)], "at": str(at or code), "out": str(out), "err": str(err)}
+    process.stdin.write(f"{json.dumps(asked)}\n")
+    process.stdin.flush()
+    assert process.stdout.readline() in {"0\n", "1\n"}, err.read_text("utf-8")
+    return out.read_text("utf-8")
 
 
 def _document(run: Run, tree: Path, package: str) -> Path:
