@@ -31,12 +31,11 @@ def git(folder: Path, *args: str, stdin: bytes = b"") -> str:
     return done.stdout.decode().strip()
 
 
-def commit_all(folder: Path, *tags: str) -> str:
-    """Commit what lies in a folder, a repository from now on, and tag the commit; return its id."""
+def commit_all(folder: Path, *tags: str) -> None:
+    """Commit what lies in a folder, a repository from now on, and tag the commit."""
     if not (folder / ".git").exists():
         git(folder, "init", "-q")
     git(folder, "add", "-A")
-    git(folder, "commit", "-q", "--allow-empty", "-m", "change")
+    git(folder, "commit", "-q", "--allow-empty", "-m", " ".join(("release", *tags)))
     for tag in tags:
         git(folder, "tag", tag)
-    return git(folder, "rev-parse", "HEAD")

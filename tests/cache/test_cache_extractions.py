@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from cache_trees import MANIFEST, document, extraction, keys, package
+from git_repos import commit_all
 
 from ecm_extract.cache.extractions import ExtractionCache
 from ecm_extract.cache.recorded_tree import RecordedTree
@@ -42,7 +42,7 @@ def test_a_sparse_checkout_lacks_the_same_with_and_without(
 ) -> None:
     """What git tracks and the folder lacks is told of a tree whose reading is recorded, too."""
     folder = package(tmp_path / "one")
-    _committed(folder)
+    commit_all(folder)
     (folder / ".git" / "info").mkdir(exist_ok=True)
     (folder / ".git" / "info" / "sparse-checkout").write_text("src\n")
     (folder / "scripts/run").unlink()
@@ -74,12 +74,6 @@ def _printed(folder: Path, format_: str, capfdbinary: pytest.CaptureFixture[byte
         assert run(["extract", str(folder), "--format", format_, "-o", "-", "-q", *switch]) == 0
         found.append(capfdbinary.readouterr().out)
     return found
-
-
-def _committed(folder: Path) -> None:
-    git = ["git", "-C", str(folder), "-c", "user.name=a", "-c", "user.email=a@example.org"]
-    for line in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "x"]):
-        subprocess.run([*git, *line], check=True)
 
 
 def _edit(folder: Path) -> None:
@@ -191,7 +185,7 @@ def test_file_that_vanishes_is_not_kept(tmp_path: Path) -> None:
 def test_ref_and_clone_share_facts(store: Store, tmp_path: Path) -> None:
     """A ref and a folder of the same content parse it once."""
     folder = package(tmp_path / "one")
-    _committed(folder)
+    commit_all(folder)
     extraction(folder)
     before = keys(store).count("facts")
     extract(open_tree(folder, "HEAD"), Options(jobs=1))

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 from pathlib import Path
 
 from ecm_corpus.interface import Composition, InterfaceCase, Source, Upgrade
-
-_IDENTITY = ("-c", "user.name=Test", "-c", "user.email=test@example.org", "-c", "init.defaultBranch=main")
-_DATE = "2020-01-01T00:00:00Z"
+from git_repos import commit_all
 
 REPOSITORY = "somebody/driver"
 
@@ -51,14 +47,11 @@ def make_clone(folder: Path, *releases: tuple[str, dict[str, str]], repository: 
     """A repository below a folder of clones, with a commit and a tag for each release."""
     place = folder / repository
     place.mkdir(parents=True, exist_ok=True)
-    _git(place, "init", "-q")
     for tag, files in releases:
         for path, text in files.items():
             (place / path).parent.mkdir(parents=True, exist_ok=True)
             (place / path).write_text(text)
-        _git(place, "add", "-A")
-        _git(place, "commit", "-q", "--allow-empty", "-m", tag)
-        _git(place, "tag", tag)
+        commit_all(place, tag)
     return place
 
 
@@ -91,11 +84,3 @@ def _package(name: str, version: str, main: str) -> dict[str, str]:
         f"{name}/{name}/__init__.py": "",
         f"{name}/{name}/main.py": main,
     }
-
-
-def _git(folder: Path, *args: str) -> None:
-    kept = {key: value for key, value in os.environ.items() if not key.startswith("GIT_")}
-    fixed = {"GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_NOSYSTEM": "1", "HOME": str(folder)}
-    dates = {"GIT_AUTHOR_DATE": _DATE, "GIT_COMMITTER_DATE": _DATE}
-    command = ["git", *_IDENTITY, "-c", "commit.gpgsign=false", *args]
-    subprocess.run(command, cwd=folder, env=kept | fixed | dates, capture_output=True, check=True)

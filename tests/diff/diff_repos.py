@@ -2,33 +2,16 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 from pathlib import Path
 
-_IDENTITY = ("-c", "user.name=Test", "-c", "user.email=test@example.org", "-c", "init.defaultBranch=main")
-_DATE = "2020-01-01T00:00:00Z"
-
-
-def git(folder: Path, *args: str) -> str:
-    """Run git apart from the configuration of the machine, at a fixed date."""
-    kept = {key: value for key, value in os.environ.items() if not key.startswith("GIT_")}
-    fixed = {"GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_NOSYSTEM": "1", "HOME": str(folder)}
-    dates = {"GIT_AUTHOR_DATE": _DATE, "GIT_COMMITTER_DATE": _DATE}
-    command = ["git", *_IDENTITY, "-c", "commit.gpgsign=false", *args]
-    done = subprocess.run(command, cwd=folder, env=kept | fixed | dates, capture_output=True, check=True)
-    return done.stdout.decode().strip()
+from git_repos import commit_all
 
 
 def release(folder: Path, files: dict[str, str | None], tag: str) -> None:
     """Write files (None deletes), commit them and tag the commit."""
-    if not (folder / ".git").exists():
-        folder.mkdir(parents=True, exist_ok=True)
-        git(folder, "init", "-q")
+    folder.mkdir(parents=True, exist_ok=True)
     write(folder, files)
-    git(folder, "add", "-A")
-    git(folder, "commit", "-q", "--allow-empty", "-m", f"release {tag}")
-    git(folder, "tag", tag)
+    commit_all(folder, tag)
 
 
 def write(folder: Path, files: dict[str, str | None]) -> None:

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from diff_repos import git, node, package, release, write
+from diff_repos import node, package, release, write
+from git_repos import git
 from hypothesis import given
 from hypothesis import strategies as st
 

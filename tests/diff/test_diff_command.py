@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from diff_repos import git, node, package, release, write
+from diff_repos import node, package, release, write
+from git_repos import git
 from released_arm import CONSUMER, document, ran
 
 from ecm_extract.cli.run import run

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from diff_repos import git, node, package, release
+from diff_repos import node, package, release
+from git_repos import git
 
 from ecm_extract.cli.run import run
 

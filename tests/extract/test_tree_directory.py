@@ -2,9 +2,10 @@ import os
 from pathlib import Path
 
 import pytest
+from git_repos import git
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tree_repos import git, make_repo, write
+from tree_repos import make_repo, write
 
 from ecm_extract.errors import TreeError, TreeReadError
 from ecm_extract.tree import Tree, blob_id, open_tree, printable

@@ -4,7 +4,8 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import pytest
-from tree_repos import commit, git, make_repo
+from git_repos import git
+from tree_repos import commit, make_repo
 
 from ecm_extract.errors import GitError, RefError, TreeError, TreeReadError
 from ecm_extract.tree import MAX_FILE_BYTES, Tree, blob_id, open_ref, open_repo, open_tree
@@ -144,6 +145,7 @@ def test_hostile_config_runs_nothing(tmp_path: Path) -> None:
     git(repo, "config", "remote.origin.promisor", "true")
     git(repo, "config", "protocol.ext.allow", "always")
     git(repo, "config", "extensions.partialClone", "origin")
+    (repo / ".git" / "hooks").mkdir()
     shutil.copy(program, repo / ".git" / "hooks" / "post-checkout")
     _loose(repo, blob_id(FILES["src/b.py"])).unlink()
     tree = open_tree(repo, "HEAD")

@@ -2,7 +2,8 @@ import os
 from pathlib import Path
 
 import pytest
-from tree_repos import commit, git, make_repo
+from git_repos import git
+from tree_repos import commit, make_repo
 
 from ecm_extract.errors import GitError, RefError
 from ecm_extract.tree import merge_base, newest_release, open_repo, open_tree, release_tags, resolve_commit

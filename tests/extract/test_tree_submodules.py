@@ -4,7 +4,8 @@ import shutil
 from pathlib import Path
 
 import pytest
-from tree_repos import commit, git, make_repo, write
+from git_repos import git
+from tree_repos import commit, make_repo, write
 
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options

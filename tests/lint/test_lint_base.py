@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import json
 import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
+from git_repos import commit_all
 from lint_fixtures import FIXTURES
 
 from ecm_extract.cli.run import run
 from ecm_extract.lint.hunks import PatchError, landing_line, touched_lines
-
-GIT = ["git", "-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "commit.gpgsign=false"]
 
 
 @pytest.fixture
@@ -23,14 +21,8 @@ def repository(tmp_path: Path) -> Path:
     shutil.copytree(FIXTURES / "LNT005" / "good", folder)
     old = folder / "demo" / "launch" / "old.launch.xml"
     old.write_text('<launch>\n  <node pkg="demo" exec="gone"/>\n</launch>\n')
-    subprocess.run([*GIT, "init", "-q"], cwd=folder, check=True)
-    commit(folder)
+    commit_all(folder)
     return folder
-
-
-def commit(folder: Path) -> None:
-    subprocess.run([*GIT, "add", "-A"], cwd=folder, check=True)
-    subprocess.run([*GIT, "commit", "-q", "-m", "x"], cwd=folder, check=True)
 
 
 def lint(folder: Path, capsys: pytest.CaptureFixture[str]) -> list[tuple[str, str, int]]:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 from pathlib import Path
 from typing import Any
 
 import pytest
+from git_repos import commit_all
 from lint_fixtures import lint
 
 from ecm_extract.entities.distributions import is_for_older
@@ -286,9 +285,7 @@ def test_what_a_sparse_checkout_leaves_out_is_not_missing(tmp_path: Path) -> Non
     (package / "meshes" / "a.stl").write_text("solid a")
     (package / "meshes" / "b.stl").write_text("solid b")
     (package / "urdf" / "a.urdf").write_text(MESH.format("meshes/a.stl"))
-    git = ["git", "-c", "user.name=a", "-c", "user.email=a@b.c"]
-    for command in (["init", "-q"], ["add", "-A"], ["commit", "-q", "-m", "a"]):
-        subprocess.run([*git, *command], cwd=tmp_path, check=True, env={**os.environ, "GIT_CONFIG_GLOBAL": os.devnull})
+    commit_all(tmp_path)
     (package / "meshes" / "a.stl").unlink()
     assert left_out(open_tree(tmp_path)) == frozenset()
     assert "LNT025" in [finding.rule for finding in lint(tmp_path)]

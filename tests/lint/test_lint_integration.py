@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 import yaml
+from git_repos import commit_all
 from lint_fixtures import FIXTURES, ROOT
 
 PAGE = (ROOT / "docs" / "integration.md").read_text("utf-8")
-GIT = ["git", "-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "commit.gpgsign=false"]
 
 
 @pytest.fixture
@@ -22,8 +22,7 @@ def workspace(tmp_path: Path) -> Path:
     """A repository with `src`, and the tool on the path."""
     folder = tmp_path / "ws"
     shutil.copytree(FIXTURES / "LNT003" / "good", folder / "src")
-    for command in (["init", "-q"], ["add", "-A"], ["commit", "-q", "-m", "x"]):
-        subprocess.run([*GIT, *command], cwd=folder, check=True)
+    commit_all(folder)
     program = tmp_path / "bin" / "ecm-extract"
     program.parent.mkdir()
     program.write_text(f"#!/bin/sh\nexec {sys.executable} -c 'from ecm_extract.cli import main; main()' \"$@\"\n")

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import json
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
+from git_repos import commit_all, git
 
 from ecm_extract.cli.run import run
 
-GIT = ["git", "-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "commit.gpgsign=false"]
 MANIFEST = "<package format='3'><name>{}</name><version>1.0.0</version><description>d</description></package>"
 NODE = """#include <rclcpp/rclcpp.hpp>
 int main() { auto node = std::make_shared<rclcpp::Node>("n"); @ }
@@ -32,20 +31,12 @@ def lint(capsys: pytest.CaptureFixture[str]) -> Lint:
     return run_lint
 
 
-def git(folder: Path, *arguments: str) -> str:
-    done = subprocess.run([*GIT, *arguments], cwd=folder, check=True, capture_output=True, text=True)
-    return done.stdout.strip()
-
-
 def commit(folder: Path, files: dict[str, str]) -> str:
     """Commit files on top; returns the id."""
     for path, text in files.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text(text)
-    if not (folder / ".git").exists():
-        git(folder, "init", "-q", "-b", "main")
-    git(folder, "add", "-A")
-    git(folder, "commit", "-q", "--allow-empty", "-m", "x")
+    commit_all(folder)
     return git(folder, "rev-parse", "HEAD")
 
 
@@ -195,7 +186,7 @@ def test_a_submodule_that_is_not_checked_out(parted: Path, lint: Lint) -> None:
     git(parted.parent, "init", "-q", "-b", "main", "outer")
     outer = parted.parent / "outer"
     commit(outer, {"own/package.xml": MANIFEST.format("own")})
-    git(outer, "-c", "protocol.file.allow=always", "submodule", "--quiet", "add", f"file://{parted}", "deps/arm")
+    git(outer, "submodule", "--quiet", "add", f"file://{parted}", "deps/arm")
     commit(outer, {})
     git(parted.parent, "clone", "-q", str(outer), "clone")
     status, found, err = lint(parted.parent / "clone")

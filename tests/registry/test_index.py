@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import subprocess
 from pathlib import Path
 
 import msgspec
 import pytest
-from clones import clone_of_three, git, release
+from clones import clone_of_three, release
+from git_repos import commit_all, git
 from sample import driver, write
 
 from ecm_extract.cli.run import run as main
@@ -83,11 +83,9 @@ def test_a_version_that_was_not_raised_is_told(small: Registry, tmp_path: Path, 
 def test_the_command_tells_what_was_skipped(tmp_path: Path, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Status 1 when a tag holds nothing."""
     url = str(tmp_path / "new.sqlite")
-    subprocess.run(["git", "rm", "-q", "-r", "."], cwd=clone, check=True)
+    git(clone, "rm", "-q", "-r", ".")
     write(clone, {"notes": "empty"})
-    git(clone, "add", "-A")
-    git(clone, "commit", "-q", "-m", "empty")
-    git(clone, "tag", "2.0.0")
+    commit_all(clone, "2.0.0")
     assert main(["registry", "init", "--registry", url]) == 0
     assert main(["registry", "index", str(clone), "--jobs", "1", "--registry", url]) == 1
     out, err = capsys.readouterr()
