@@ -15,7 +15,7 @@ from pathlib import Path
 import hypothesis
 import pytest
 from golden_files import Golden
-from kept_modules import Kept
+from kept_objects import Kept
 from workspaces import Workspace
 
 from ecm_extract.cache.version import version_of
@@ -42,7 +42,7 @@ def _keep_bytecode_aside() -> None:
     folder = tempfile.mkdtemp(prefix="ecm-bytecode-")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     os.environ["PYTHONPYCACHEPREFIX"] = folder
-    del os.environ["PYTHONDONTWRITEBYTECODE"]
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -76,8 +76,8 @@ def _kept() -> Iterator[Kept]:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def _modules_that_stay(_kept: Kept) -> None:
-    """What a file of tests imported stays for the next ones."""
+def _objects_that_stay(_kept: Kept) -> None:
+    """What files of tests imported and remember stays for the next ones."""
     _kept.look()
 
 

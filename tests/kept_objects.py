@@ -7,20 +7,21 @@ import sys
 from collections.abc import Callable
 from typing import Final
 
-_MANY: Final = 50
+_MUCH: Final = 100_000
+"""Blocks of memory: what a folder of tests and the modules that it needs take."""
 
 
 class Kept:
-    """Puts what was imported out of sight of the collector, together with all tests."""
+    """Puts what is there out of sight of the collector: tests, modules, and what these remember."""
 
     def __init__(self, freeze: Callable[[], None]) -> None:
         self._freeze = freeze
-        self._modules = 0
+        self._blocks = 0
 
     def look(self) -> None:
-        """Keep what is there, where many modules came since the last time."""
-        if len(sys.modules) - self._modules < _MANY:
+        """Keep what is there, where much came since the last time."""
+        if sys.getallocatedblocks() - self._blocks < _MUCH:
             return
         gc.collect()
         self._freeze()
-        self._modules = len(sys.modules)
+        self._blocks = sys.getallocatedblocks()
