@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import atexit
 import json
 from contextlib import redirect_stdout
 from dataclasses import dataclass
 from functools import cache
 from io import BytesIO, TextIOWrapper
 from pathlib import Path
+from shutil import rmtree
 from tempfile import mkdtemp
 
 from ecm_checker.contract import Contract
@@ -42,8 +44,9 @@ def rules(found: tuple[Predicted, ...]) -> str:
 
 @cache
 def manifests(package: str) -> Path:
-    """The folder with the manifests of a fixture package."""
+    """The folder with the manifests of a fixture package, which stays as long as this process."""
     folder = Path(mkdtemp(prefix="path_a_"))
+    atexit.register(rmtree, folder, ignore_errors=True)
     _told(str(FIXTURES / package), "-o", str(folder), "-q")
     return folder
 
