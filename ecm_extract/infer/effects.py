@@ -28,7 +28,7 @@ from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.infer.targets import Targets
-from ecm_extract.link.code.walk import calls_in, children
+from ecm_extract.link.code.walk import calls_in, children, given_to
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
@@ -172,7 +172,7 @@ class Effects:
 
     def _put_into(self, call: Call) -> list[str]:
         """The variables of Python that a call gets in a list or table, or as one of several: `work([a], b or c)`."""
-        args = (*call.args, *(value for _, value in call.keywords)) if self.python else ()
+        args = given_to(call) if self.python else ()
         made = (arg for arg in args if isinstance(arg, Items | Table | Op))
         return [key for arg in made for expr in bare_names(arg) if (key := self.key(expr))]
 

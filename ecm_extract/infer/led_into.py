@@ -8,6 +8,7 @@ from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op
 
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.walk import given_to
 
 
 def led_into(call: Call, giving: Set[str]) -> Iterator[Expr]:
@@ -17,7 +18,7 @@ def led_into(call: Call, giving: Set[str]) -> Iterator[Expr]:
         call: the call.
         giving: functions and methods that give parts of what they get, or are called on.
     """
-    for arg in (*call.args, *(value for _, value in call.keywords)):
+    for arg in given_to(call):
         if isinstance(arg, Op) and arg.op == "*" and len(arg.operands) == 1:
             yield from shared_names(arg.operands[0])
         elif isinstance(arg, Call) and _name(arg) in giving:

@@ -92,6 +92,11 @@ def children(expr: Expr) -> tuple[Expr, ...]:
     return () if parts is None else parts(expr)
 
 
+def given_to(call: Call) -> tuple[Expr, ...]:
+    """Return the arguments of a call, those that are given by name included."""
+    return (*call.args, *[value for _, value in call.keywords]) if call.keywords else call.args
+
+
 def _of_call(call: Call) -> tuple[Expr, ...]:
     named = [value for _, value in call.keywords]
     return (call.callee, *call.args, *named)

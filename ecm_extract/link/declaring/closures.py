@@ -14,6 +14,7 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Lambda, Member, Name
 from ecm_extract.link.code.calls import Invocation, Step, invocation, invocations
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.walk import given_to
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env, invocation_of
 
@@ -64,7 +65,7 @@ def handed_to(func: Func, outer: Func) -> Iterator[tuple[Invocation, Expr]]:
     """Yield the calls in the function around that hand a function to somebody, with the argument that it is."""
     for at, calls in enumerate(outer.calls):
         for call in calls:
-            given = (arg for arg in (*call.args, *(value for _, value in call.keywords)) if _is(arg, func))
+            given = (arg for arg in given_to(call) if _is(arg, func))
             yield from ((invocation(Step(outer, at, outer.fact.body[at]), call), arg) for arg in given)
 
 

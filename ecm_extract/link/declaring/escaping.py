@@ -15,7 +15,7 @@ from ecm_extract.link.code.callables import object_of
 from ecm_extract.link.code.calls import Invocation, Step
 from ecm_extract.link.code.left_alone import SPREAD
 from ecm_extract.link.code.units import Func
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import children, given_to
 from ecm_extract.link.declaring.forms import Form, FormTable
 
 _ASKING = frozenset({"callable", "hasattr", "isinstance", "print", "repr", "str", "id", "hash"})
@@ -96,7 +96,7 @@ def _values_of_call(call: Call, func: Func) -> Iterator[Name | Member]:
         yield from _values(callee.base if isinstance(callee, Member) else callee, func)
     if isinstance(callee, Name) and callee.id in _ASKING:
         return
-    for part in (*call.args, *(value for _, value in call.keywords)):
+    for part in given_to(call):
         yield from _values(part, func)
 
 

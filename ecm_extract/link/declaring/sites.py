@@ -92,6 +92,7 @@ class Sites:
             self.calls[call.last].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
+        self.folder.states.callers.making = self._made
         self.folder.lasting.find()
         matcher.undeclared.makers = self._making
         matcher.undeclared.callers = self._askers
@@ -331,8 +332,11 @@ class Sites:
             if cls is not None and call.func.cls is not cls and self.makes(call, cls):
                 yield self._in_made(Env(func, at), cls, call, self.root_env(call.func, call.at))
 
+    def _made(self, cls: Cls) -> Iterator[tuple[Invocation, Env]]:
+        return ((call, self._place(call)) for call in self.calls.get(cls.fact.name, ()) if self.makes(call, cls))
+
     def _making(self, cls: Cls) -> Iterator[Func]:
-        return (call.func for call in self.calls.get(cls.fact.name, ()) if self.makes(call, cls))
+        return (call.func for call, _ in self._made(cls))
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""

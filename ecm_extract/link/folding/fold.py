@@ -85,6 +85,7 @@ from ecm_extract.link.running.scope import Scope
 from ecm_extract.link.running.shifting import Shifting
 from ecm_extract.link.running.surely_made import SurelyMade
 from ecm_extract.link.running.unset_variables import UnsetVariables
+from ecm_extract.link.running.untold import Untold
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
     TOO_MANY,
@@ -187,6 +188,7 @@ class Folder:
         self.kept_references = KeptReferences(self)
         self.python_fields = PythonFields(self)
         self.methods = MethodEffects(self)
+        self.untold = Untold(self)
         self.scope.ways = self.flow.ways
 
     def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:

@@ -11,6 +11,7 @@ from ecm_extract.infer.bare_names import bare_names
 from ecm_extract.infer.held import all_ways
 from ecm_extract.infer.places import whole_of
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import given_to
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.values import Value, unknown
@@ -101,7 +102,7 @@ def _changes_unasked(cls: Cls, folder: Folder) -> bool:
 def _handed_on(method: Func) -> Iterator[Expr]:
     """Yield what a method gives to what it calls, in whatever it stands."""
     for call in (call for group in method.calls for call in group):
-        for arg in (*call.args, *(value for _, value in call.keywords)):
+        for arg in given_to(call):
             yield from (arg, *bare_names(arg))
 
 

@@ -11,7 +11,7 @@ from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import children, given_to
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -63,9 +63,7 @@ class GivenItself:
         """The members that a function gives something by their names, and does nothing else with the object."""
         outline = self.folder.flow.outline(func)
         calls = (call for group in func.calls for call in group)
-        handed = any(
-            _names(arg, name) for call in calls for arg in (*call.args, *(value for _, value in call.keywords))
-        )
+        handed = any(_names(arg, name) for call in calls for arg in given_to(call))
         kept = any(entry.value == Name(name) for entry in func.fact.body)
         inner = any(name in self.folder.shifting.names(each) for each in self.folder.nesting.inner(func))
         if handed or kept or inner or name in outline.changes or self.folder.methods.parameters.is_hidden(func, name):

@@ -12,7 +12,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import by_value, last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import children, given_to
 from ecm_extract.link.running.env import Env
 from ecm_extract.shipped import shipped
 
@@ -29,11 +29,12 @@ def _hosts() -> Mapping[str, Set[str]]:
 
 
 class KnownCallers:
-    """Finds the callers of methods; `find`, which gives the calls of a function, is set by who indexes calls."""
+    """Finds the callers of methods; who indexes calls sets `find`, for functions, and `making`, for classes."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.find: Callable[[Func], Iterator[Calling]] | None = None
+        self.making: Callable[[Cls], Iterator[Calling]] | None = None
         self._of: dict[Func, tuple[Calling, ...] | None] = {}
         self._handed: dict[File, Set[str]] = {}
         self._kept: dict[tuple[Func, str], bool] = {}
@@ -41,6 +42,13 @@ class KnownCallers:
     def all(self, func: Func) -> Iterator[Calling]:
         """Yield the calls of a function that the tree has, whoever else may call it."""
         yield from self.find(func) if self.find is not None else ()
+
+    def making_by(self, func: Func) -> Iterator[Calling]:
+        """Yield the calls by which a constructor is run, where it is the one that they mean."""
+        made = self.making(func.cls) if self.making is not None and func.cls is not None else ()
+        for call, place in made:
+            if func.cls is not None and self.folder.objects.constructor(func.cls, len(call.args)) is func:
+                yield call, place
 
     def of(self, func: Func) -> Sequence[Calling] | None:
         """Return all calls of a method with their places; None where somebody else may call it."""
@@ -125,7 +133,7 @@ class KnownCallers:
 
     def _may_change(self, call: Call, name: str, func: Func, at: int) -> bool:
         """Whether a call gives an object away, or is one of a method that may change it."""
-        if any(arg == Name(name) for arg in (*call.args, *(value for _, value in call.keywords))):
+        if any(arg == Name(name) for arg in given_to(call)):
             return True
         root = call.callee
         while isinstance(root, Member):

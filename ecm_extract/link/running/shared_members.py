@@ -16,6 +16,7 @@ from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.places import target_of
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import given_to
 
 if TYPE_CHECKING:
     from ecm_extract.infer.outline import Outline
@@ -144,7 +145,7 @@ def _given(outline: Outline) -> Iterator[tuple[str, Expr | None]]:
     for call in (call for group in outline.func.calls for call in group):
         key = outline.effects.root(call.callee.base) if isinstance(call.callee, Member) else ""
         if key and not (isinstance(call.callee, Member) and call.callee.name in outline.effects.calls.reading):
-            yield from ((key, value) for value in (*call.args, *(value for _, value in call.keywords)))
+            yield from ((key, value) for value in given_to(call))
 
 
 def _between_members(named: Iterable[Named]) -> Mapping[str, Set[str]]:

@@ -81,6 +81,8 @@ class Truths:
         if before is not None:
             return Verdict(before, before)
         python = env.func.file.language == "python"
+        if self.folder.untold.has(test, env.func, env.at):
+            return OPEN
         full = None if python else self.folder.optionals.holds(test, env)
         if full is not None:
             return Verdict(full, full)
@@ -105,7 +107,7 @@ class Truths:
         found: list[Verdict] = []
         for operand in test.operands:
             found.append(self._judged(operand, env))
-            if found[-1].holds is ends:
+            if found[-1].holds is ends or found[-1] == OPEN:  # what stands behind an open one decides nothing
                 break
         return Verdict(_met([each.holds for each in found], ends), _met([each.likely for each in found], ends))
 
