@@ -150,6 +150,9 @@ class EndpointTypes:
 
     def _out_type(self, out: Expr | None, env: Env) -> str | None:
         written = self.folder.objects.type_of(out, env) if out is not None else ""
+        bound = env.args.get(out.id) if isinstance(out, Name) else None
+        if bound is not None and plain(written) == "auto":  # a template without a head, or a generic lambda
+            return self._out_type(bound.expr, bound.env)
         if written and plain(written) in env.func.fact.template:
             return self._deduced(plain(written), env)
         return declared_type(plain_type(written)) if written else None
