@@ -32,6 +32,7 @@ from ecm_extract.read.installed import installed_sources
 from ecm_extract.read.parallel import SourceParse
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.prefetch import Prefetch
+from ecm_extract.read.shared_sources import SharedSources
 from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable, unread_of
 
@@ -96,9 +97,22 @@ class Reader:
         for path, _ in tasks:
             if path in contents:
                 self._take_source(owner[path], path, contents[path])
+        self._take_shared(packages)
         for package in packages:
             package.ros = _ros(package)
         return packages
+
+    def _take_shared(self, packages: Sequence[PackageFacts]) -> None:
+        """Take what lies beside the packages; it is a source of each that takes it."""
+        shared = SharedSources(packages, self.tree.files(), self.exclude)
+        contents: dict[str, BlobFacts] = {}
+        for package in packages:
+            tried: set[Task] = set()
+            while wanted := [task for task in shared.wanted(package) if task not in tried]:
+                tried.update(wanted)
+                contents |= self._parsed([task for task in wanted if task[0] not in contents])
+                for path in [path for path, _ in wanted if path in contents]:
+                    self._take_source(package, path, contents[path])
 
     def _parsed(self, tasks: Sequence[Task]) -> dict[str, BlobFacts]:
         """Facts of the few sources that only build files tell to be programs."""

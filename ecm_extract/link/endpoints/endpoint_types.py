@@ -139,6 +139,8 @@ class EndpointTypes:
         return "string" if read and len(read) == len(made) and all(texts) else None
 
     def _declared(self, written: str, env: Env) -> str | None:
+        if "." in written:
+            return None  # a class of a module of Python, however its last part is called
         found = declared_type(plain_type(written))
         if found is not None or not written:
             return found

@@ -22,6 +22,7 @@ _CPP_TYPES = {
     "bool": "bool",
     **NUMBERS,
     "string": "string",
+    "str": "string",
     "PARAMETER_BOOL": "bool",
     "PARAMETER_INTEGER": "integer",
     "PARAMETER_DOUBLE": "double",

@@ -22,6 +22,7 @@ from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
 from ecm_extract.link.running.named_classes import class_asked
 from ecm_extract.link.running.scope import Scope
+from ecm_extract.shipped import shipped_names
 
 _POINTER_SUFFIX = re.compile(r"(?:Const)?(?:Shared|Unique|Weak)?Ptr$")
 HANDLES_OF_NODELETS: Final = frozenset(
@@ -29,6 +30,9 @@ HANDLES_OF_NODELETS: Final = frozenset(
 )
 """Methods of nodelet::Nodelet (nodelet/nodelet.h) that give a handle."""
 _ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
+_TYPED_CALLS = shipped_names("link/code/library_values.toml", "typed_calls")
+_BUILT_IN = frozenset({"bool", "float", "int", "str"})
+"""Classes of Python for values of parameters."""
 MAX_DELEGATIONS = 4
 """Constructors that leave the work to another one, each to the next."""
 
@@ -120,11 +124,16 @@ class Objects:
         return ""
 
     def _made_type(self, expr: Call, env: Env) -> str:
+        """What the tree shows of a call, or the type that one of a library asks for: `node["a"].as<int>()`."""
+        typed = expr.types and invocation_of(expr, env).last in _TYPED_CALLS
+        return self._shown_type(expr, env) or (expr.types[0] if typed else "")
+
+    def _shown_type(self, expr: Call, env: Env) -> str:
         if isinstance(expr.callee, Name):
             last = expr.callee.id.rsplit("::", 1)[-1]
             if pointed_class(expr):
                 return pointed_class(expr)
-            if expr.types and (last in {"dynamic_pointer_cast", "static_pointer_cast"} or is_pointer(last)):
+            if expr.types and is_pointer(last):
                 return expr.types[0]
             if last in HANDLES_OF_NODELETS:
                 return "ros::NodeHandle"
@@ -158,9 +167,9 @@ class Objects:
         return ""
 
     def _is_type(self, name: str, file: File) -> bool:
-        return bool(self.program.seen_classes(name, file)) or (
-            name[:1].isupper() and not self.program.seen_functions(name, file)
-        )
+        built_in = name in _BUILT_IN and file.language == "python"
+        unseen = (name[:1].isupper() or built_in) and not self.program.seen_functions(name, file)
+        return bool(self.program.seen_classes(name, file)) or unseen
 
     def _returned(self, name: str, file: File) -> str:
         own = () if name.startswith("std::") else self.program.seen_functions(last_name(name), file)
