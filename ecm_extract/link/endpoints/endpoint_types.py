@@ -12,6 +12,7 @@ from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.endpoints.asked_types import AskedElsewhere, asked_type
+from ecm_extract.link.endpoints.message_fields import written_type
 from ecm_extract.link.folding.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
 from ecm_extract.link.folding.durations import counted
 from ecm_extract.link.folding.fold import Folder
@@ -149,7 +150,10 @@ class EndpointTypes:
         return self.folder.program.alias(written, env.func.file, env.scope)
 
     def _out_type(self, out: Expr | None, env: Env) -> str | None:
-        written = self.folder.objects.type_of(out, env) if out is not None else ""
+        written = written_type(out, env, self.folder) if out is not None else ""
+        bound = env.args.get(out.id) if isinstance(out, Name) else None
+        if bound is not None and plain(written) == "auto":  # a template without a head, or a generic lambda
+            return self._out_type(bound.expr, bound.env)
         if written and plain(written) in env.func.fact.template:
             return self._deduced(plain(written), env)
         return declared_type(plain_type(written)) if written else None

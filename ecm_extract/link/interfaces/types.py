@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from ecm_checker.hub.roles import Role, roles
 from ecm_checker.match.generated import snake
@@ -116,10 +116,21 @@ class Types:
         )
         if alias is not None and _bare(alias) != bare:
             return self.written(alias, env, role, depth + 1)
-        sent = sent_as(bare, text, env.func.file.ros) or self._adapted(bare, env)
+        sent = self._sent(bare, text, env) or self._adapted(bare, env)
         if sent:
             return TypeFound(sent) if "/" in sent else self.written(sent, env, role, depth + 1)
         return self._qualified(text, env, role, depth)
+
+    def _sent(self, bare: str, text: str, env: Env) -> str:
+        """The message that a type of a library is sent as, which `using namespace` may bring without its prefix."""
+        brought = self._usings(env) if "::" not in bare else ()
+        names = (bare, *(f"{namespace}::{bare}" for namespace in brought))
+        return next(filter(None, (sent_as(name, text, env.func.file.ros) for name in names)), "")
+
+    def _usings(self, env: Env) -> Iterator[str]:
+        files = (env.func.file, *self.program.included(env.func.file))
+        usings = (using for file in files for using in file.facts.usings)
+        return (using.namespace for using in usings if using.holds_in(self._scope(env)))
 
     def _adapted(self, bare: str, env: Env) -> str:
         """The message of a type of the tree that ROS 2 is told how to send."""
@@ -190,7 +201,7 @@ class Types:
                 stem = parts[-1].rsplit(".", 1)[0]
                 if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
                     return self.full("::".join([*parts[:-1], name]), role)
-        for using in (entry.namespace for entry in env.func.file.facts.usings if entry.holds_in(self._scope(env))):
+        for using in self._usings(env):
             if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
                 return self.full(f"{using}::{name}", role)
         return None

@@ -101,12 +101,13 @@ class Objects:
 
     def _assigned_type(self, name: str, env: Env) -> str:
         """The type of what a variable is given; a type needs no run, since it does not change on the way."""
-        body = env.func.fact.body
-        places = self.scope.locals_of(env.func).get(name, ())
-        given = [at for at in places if at < env.at and body[at].value is not None]
+        holder = self.scope.holding(name, env.func) or env.func
+        around = env if holder is env.func else Env(holder, this=env.this, depth=env.depth + 1)
+        body, places = holder.fact.body, self.scope.locals_of(holder).get(name, ())
+        given = [at for at in places if at < around.at and body[at].value is not None]
         for at in reversed(given):
             value = body[at].value
-            written = self.type_of(value, env.before(at)) if value is not None else ""
+            written = self.type_of(value, around.before(at)) if value is not None else ""
             return element_type(written) if body[at].kind == "each" else written
         return self._member_assigned_type(name, env.this or env.func.cls, env)
 

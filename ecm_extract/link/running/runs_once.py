@@ -46,7 +46,7 @@ class RunsOnce:
         known = self._never.get(func)
         if known is None:
             callers = self.folder.states.callers
-            free = callers.find is not None and _is_free(func) and not callers.is_handed(func)
+            free = callers.find is not None and _is_free(func) and not is_main(func) and not callers.is_handed(func)
             known = self._never[func] = free and self._is_of_program(func) and not self._mentions(func)
         return known
 

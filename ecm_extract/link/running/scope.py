@@ -83,14 +83,20 @@ class Scope:
 
     def declared_type(self, name: str, env: Env) -> str:
         """Return the written type of a variable at a place: local, parameter, member, constant; empty when unknown."""
-        body = env.func.fact.body
-        for at in self.locals_of(env.func).get(name, ()):
-            if body[at].kind == "let" and body[at].type and plain(body[at].type) != "auto":
-                return body[at].type
-        for parameter in env.func.fact.params:
-            if parameter.name == name:
-                return parameter.type
-        return self.member_type(name, env.this or env.func.cls)
+        holder = self.holding(name, env.func)
+        written = self._written_type(name, holder) if holder is not None else ""
+        return written or self.member_type(name, env.this or env.func.cls)
+
+    def holding(self, name: str, func: Func) -> Func | None:
+        """Return the function whose variable or parameter a name means: itself, or one that it is declared in."""
+        around = (func, *self.nesting.around(func))
+        return next((each for each in around if name in self.locals_of(each) or name in each.given), None)
+
+    def _written_type(self, name: str, func: Func) -> str:
+        body = func.fact.body
+        lets = [body[at].type for at in self.locals_of(func).get(name, ()) if body[at].kind == "let" and body[at].type]
+        given = [parameter.type for parameter in func.fact.params if parameter.name == name]
+        return next((written for written in lets if plain(written) != "auto"), next(iter(given), ""))
 
     def member_type(self, name: str, cls: Cls | None) -> str:
         """Return the written type of a data member, bases included."""
