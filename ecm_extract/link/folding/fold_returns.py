@@ -118,12 +118,14 @@ class ReturnFolder:
 
     def _kind(self, arg: Expr, env: Env) -> str:
         """`text`, `number`, or nothing where that is not known."""
+        declared = kind_of_type(self.folder.objects.type_of(arg, env))
+        if declared:
+            return declared
         values = self.folder.fold(arg, env)
         if all(value.data is not None for value in values):
             return "number"
-        if all(value.data is None and any(isinstance(part, str) for part in value.parts) for value in values):
-            return "text"
-        return kind_of_type(self.folder.objects.type_of(arg, env))
+        texts = all(value.data is None and any(isinstance(part, str) for part in value.parts) for value in values)
+        return "text" if texts else ""
 
     def returned(self, callee: Func, call: Invocation, env: Env) -> list[tuple[Expr, Env]]:
         """Return what a call of a function gives back: an expression for each reached return, with its place."""
