@@ -90,6 +90,15 @@ CPP_ROWS = [
     ("what an object was made with", {"test": 'part_.name() == "fixed"'}, False),
     ("a parameter", {"body": 'auto on = get_parameter("on").as_bool();', "test": "on"}, False),
     ("one that is read into a variable", {"body": 'bool on; get_parameter("on", on);', "test": "on"}, False),
+    ("a field of a library's object", {"methods": "void f(const lib::Set & s) { if (s.limit == 3) { use(); } }"}, True),
+    (
+        "one that is called like a parameter",
+        {
+            "made": 'declare_parameter("limit", 3);',
+            "methods": "void f(const lib::Set & s) { if (s.limit == 3) { use(); } }",
+        },
+        False,
+    ),
     ("what is first", {"test": "message.width > 3 && true"}, True),
     ("what is behind something told", {"test": "false && message.width > 3"}, False),
     (
@@ -136,7 +145,7 @@ def _function(linker: Linker, name: str) -> Func:
 
 
 def _is_untold(linker: Linker) -> bool:
-    func = _function(linker, "on")
+    func = _function(linker, "f" if "f" in linker.program.functions else "on")
     return linker.folder.untold.has(_tests(func)[-1], func, len(func.fact.body) - 1)
 
 
@@ -145,7 +154,7 @@ def _tests(func: Func) -> list[Expr]:
 
 
 def _filled(template: str, row: dict[str, str], nothing: str) -> str:
-    empty = dict.fromkeys(("made", "methods", "body", "calls"), "")
+    empty = dict.fromkeys(("made", "methods", "body", "calls"), "") | {"test": "true"}
     return template.format(**{**empty, "body": nothing, "made": nothing, **row})
 
 

@@ -163,10 +163,13 @@ class Conditions:
 
     def _parameter(self, expr: Expr, env: Env) -> str:
         """The ROS parameter that an expression has the value of, empty for none."""
-        if not isinstance(expr, Name | Member | Call) or _writes(expr):
+        if not isinstance(expr, Name | Member | Call) or _writes(expr) or self._is_untold(expr, env):
             return ""
         found = {value.parameter for value in self.folder.fold(expr, env)}
         return found.pop() if len(found) == 1 else ""
+
+    def _is_untold(self, expr: Expr, env: Env) -> bool:
+        return self.folder.untold.has(expr, env.func, env.at)
 
     def _written(self, test: Expr, env: Env) -> Condition:
         python = env.func.file.language == "python"
@@ -184,8 +187,11 @@ def key_of(expr: Expr) -> str:
 
 def common(groups: Iterable[Sequence[Told]]) -> tuple[Told, ...]:
     """Return what holds in all of several groups."""
-    first, *others = list(groups) or [()]
-    return tuple(told for told in first if all(told in other for other in others))
+    rest = iter(groups)
+    found = tuple(next(rest, ()))
+    while found and (group := next(rest, None)) is not None:  # what no place tells is not asked of the others
+        found = tuple(told for told in found if told in group)
+    return found
 
 
 def _having(name: str, value: Value, negated: bool) -> Condition:

@@ -290,6 +290,7 @@ class Folder:
         self.reads.forget()
         self.flow.forget()
         self.states.forget()
+        self.untold.forget()
 
     def combined(
         self, options: Sequence[tuple[Value, ...]], work: Callable[[list[Any]], Any], label: str

@@ -11,6 +11,7 @@ from ecm_extract.infer.held import Held, all_ways
 from ecm_extract.infer.places import whole_of
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.member_paths import below_variable
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
@@ -163,12 +164,7 @@ class MemberFolder:
 
     def _library_parameter(self, expr: Member, env: Env) -> tuple[Value, ...] | None:
         """`params_.a.b` of generate_parameter_library: the default of parameter `a.b`."""
-        path: list[str] = []
-        node: Expr = expr
-        while isinstance(node, Member) and node.base != THIS:
-            path.insert(0, node.name)
-            node = node.base
-        name, package = ".".join(path), env.func.file.package
+        (name, node), package = below_variable(expr), env.func.file.package
         if not self.folder.reads.is_declared(name, package) or not self._holds_parameters(node, env):
             return None
         known = self.folder.reads.default(name, package)

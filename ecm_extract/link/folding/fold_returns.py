@@ -96,15 +96,25 @@ class ReturnFolder:
             return handed[0]
         fitting = self.folder.objects.callees(call, env)
         if len(fitting) > 1 and env.func.file.language == "cpp":
-            kinds = [self._kind(arg, env) for arg in call.args]
-            fitting = [func for func in fitting if _takes(func, kinds)]
-            scores = [score(call, func) for func in fitting]
-            fitting = fitting[:1] if scores[1:] and scores[0] > scores[1] and all(kinds) else fitting
+            fitting = self._taking(fitting, call, env)
         if env.func.file.language == "python":
             fitting = [func for func in fitting if not is_overload(func)]
             if not all(are_known(func) for func in fitting):
                 return None
         return fitting[0] if len(fitting) == 1 else None  # of two in one place, who knows which was declared last
+
+    def _taking(self, fitting: Sequence[Func], call: Invocation, env: Env) -> Sequence[Func]:
+        """Those of several functions that take texts and numbers where a call gives them; the best where that is told.
+
+        An argument that all of them want alike tells none apart, and is not looked at.
+        """
+        for at, arg in enumerate(call.args):
+            if len({_wanted(func, at) for func in fitting}) > 1:
+                kind = self._kind(arg, env)
+                fitting = [func for func in fitting if _wanted(func, at) in {"", kind or _wanted(func, at)}]
+        scores = [score(call, func) for func in fitting]
+        is_best = bool(scores[1:]) and scores[0] > scores[1] and all(self._kind(arg, env) for arg in call.args)
+        return fitting[:1] if is_best else fitting
 
     def _of_part(self, call: Invocation, env: Env) -> Func | None:
         """The method of Python of an object in a list or table, in a field, or that a call gives, by who made it."""
@@ -118,12 +128,14 @@ class ReturnFolder:
 
     def _kind(self, arg: Expr, env: Env) -> str:
         """`text`, `number`, or nothing where that is not known."""
+        declared = kind_of_type(self.folder.objects.type_of(arg, env))
+        if declared:
+            return declared
         values = self.folder.fold(arg, env)
         if all(value.data is not None for value in values):
             return "number"
-        if all(value.data is None and any(isinstance(part, str) for part in value.parts) for value in values):
-            return "text"
-        return kind_of_type(self.folder.objects.type_of(arg, env))
+        texts = all(value.data is None and any(isinstance(part, str) for part in value.parts) for value in values)
+        return "text" if texts else ""
 
     def returned(self, callee: Func, call: Invocation, env: Env) -> list[tuple[Expr, Env]]:
         """Return what a call of a function gives back: an expression for each reached return, with its place."""
@@ -204,9 +216,10 @@ def _receiver(call: Invocation) -> Expr:
     return call.receiver if call.receiver is not None else Name(call.path.split(".")[0])
 
 
-def _takes(func: Func, kinds: Sequence[str]) -> bool:
-    wanted = [kind_of_type(parameter.type) for parameter in func.fact.params]
-    return not any(kind and other and kind != other for kind, other in zip(kinds, wanted, strict=False))
+def _wanted(func: Func, at: int) -> str:
+    """Whether a function wants a text or a number in the place of an argument, nothing for others."""
+    params = func.fact.params
+    return kind_of_type(params[at].type) if at < len(params) else ""
 
 
 def _beside_joined(values: list[Value]) -> list[Value]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Lambda, Member, Name, Op
 
+from ecm_extract.link.code.member_paths import below_variable
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import given_to
@@ -34,6 +35,10 @@ class Untold:
 
     def _is_untold(self, asked: Func | Variable) -> bool:
         return self._variables.is_untold(asked) if isinstance(asked, Variable) else gives_untold(asked, self)
+
+    def forget(self) -> None:
+        """Drop what was found, since more is known of parameters now."""
+        self._all = Assumed[Func | Variable](self._is_untold)
 
     def has(self, expr: Expr, func: Func, at: int) -> bool:
         """Tell whether nothing tells what an expression gives.
@@ -62,9 +67,15 @@ class Untold:
         owner = func.holder if key.startswith(".") else func
         if key and owner is not None and key.count(".") <= 1 and self._all.of(Variable(owner, key, of_parts)):
             return True
-        if not isinstance(expr, Member) or expr.base == THIS or key in self.folder.flow.outline(func).changes:
+        return isinstance(expr, Member) and expr.base != THIS and self._of_field(expr, key, func, at)
+
+    def _of_field(self, field: Member, key: str, func: Func, at: int) -> bool:
+        """Whether a field is one of something untold, to which the function gives nothing, and no parameter's."""
+        if key in self.folder.flow.outline(func).changes:
             return False
-        return self.has_within(expr.base, func, at)  # a field to which the function gives nothing
+        if self.folder.reads.is_declared(below_variable(field).path, func.file.package):
+            return False
+        return self.has_within(field.base, func, at)
 
     def _of_op(self, expr: Op, func: Func, at: int) -> bool:
         """Whether an operand is; of what decides by its first operand, and of what is looked up in another, that is."""
