@@ -8,7 +8,7 @@ from typing import Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Text
 
-from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
+from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.code.overloads import fitting, is_countable
 from ecm_extract.link.code.own import is_own_member, is_super
@@ -17,6 +17,7 @@ from ecm_extract.link.code.spelling import is_pointer, last_name, plain, pointee
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.base_calls import base_call
 from ecm_extract.link.running.early_binding import early_bound
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
@@ -226,7 +227,7 @@ class Objects:
         makers = [method for method in made.cls.methods if method.is_constructor]
         if len(makers) != 1 and made.maker is not None:
             makers = [made.maker]
-        calls = [call for call in (_base_call(func, parent) for func in makers) if call is not None]
+        calls = [call for call in (base_call(func, parent) for func in makers) if call is not None]
         constructor = self.constructor(parent, len(calls[0].args)) if len(calls) == 1 else None
         if constructor is None:
             return Instance(parent, {}, types)
@@ -239,7 +240,7 @@ class Objects:
             if made.maker is None:
                 break
             env = Env(made.maker, args=made.args, this=made.cls, made=made)
-            call = _base_call(made.maker, made.cls)
+            call = base_call(made.maker, made.cls)
             target = self.constructor(made.cls, len(call.args)) if call is not None else None
             if call is None or target is None or target is made.maker:
                 break
@@ -251,7 +252,7 @@ class Objects:
         if not func.is_constructor or func.cls is not cls or is_countable(call, func):
             return True
         maker = self.constructor(cls, len(call.args))
-        return maker is not None and _base_call(maker, cls) is not None  # it leaves the work to another one
+        return maker is not None and base_call(maker, cls) is not None  # it leaves the work to another one
 
     def _meant(self, written: str, cls: Cls) -> str:
         """What a template argument in the head of a class stands for where the class is."""
@@ -329,23 +330,3 @@ class Objects:
         methods = self.program.ancestry(owner) if owner is not None else ()
         named = [func for cls in methods for func in cls.methods if func.fact.name == call.last]
         return fitting(call, [*self.program.functions_named(call.path, call.func.file, env.scope), *named])
-
-
-def _calls_super(call: Call, parent: Cls) -> bool:
-    callee = call.callee
-    if not isinstance(callee, Member) or callee.name != "__init__":
-        return False
-    return is_super(callee.base) or last_name(dotted_name(callee.base)) == parent.fact.name
-
-
-def _base_call(func: Func, parent: Cls) -> Invocation | None:
-    """The call by which a constructor makes its base."""
-    for at, statement in enumerate(func.fact.body):
-        value, target = statement.value, statement.target
-        if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
-            args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
-            return Invocation(func, at, statement, target.id, None, one_node(func, args), (), (), statement.line)
-        if isinstance(value, Call) and _calls_super(value, parent):
-            args = value.args[1:] if value.args[:1] == (THIS,) else value.args
-            return Invocation(func, at, statement, "super", None, args, value.keywords, (), statement.line)
-    return None
