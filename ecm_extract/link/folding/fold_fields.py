@@ -185,7 +185,7 @@ def _of_one(values: Sequence[Value], name: str) -> Sequence[Value]:
 
 
 def _is_element(expr: Expr) -> bool:
-    """Tell whether an object is one of several, or lies in one: `rows[0]`, `rows.back()`; what it gets others do not."""
+    """Tell whether an object is one of several, or lies in one: `rows[0]`, `rows.back()`; others do not get its own."""
     while isinstance(expr, Member):
         expr = expr.base
     return is_one_of_several(expr) or isinstance(expr, Call)
