@@ -22,6 +22,7 @@ from ecm_extract.link.folding.handed_objects import HandedObjects
 from ecm_extract.link.folding.names_of_nodes import told_by_node
 from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.early_binding import is_virtual
 from ecm_extract.link.running.env import Bound, Env, Instance, invocation_of
 from ecm_extract.link.running.object_states import is_own
 from ecm_extract.link.running.own_names import below_namespace
@@ -94,7 +95,7 @@ class ReturnFolder:
         handed = self.closures.function(call, env)
         if handed is not None:
             return handed[0]
-        fitting = self.folder.objects.callees(call, env)
+        fitting = self._of_pointed(self.folder.objects.callees(call, env), call, env)
         if len(fitting) > 1 and env.func.file.language == "cpp":
             kinds = [self._kind(arg, env) for arg in call.args]
             fitting = [func for func in fitting if _takes(func, kinds)]
@@ -105,6 +106,13 @@ class ReturnFolder:
             if not all(are_known(func) for func in fitting):
                 return None
         return fitting[0] if len(fitting) == 1 else None  # of two in one place, who knows which was declared last
+
+    def _of_pointed(self, found: Sequence[Func], call: Invocation, env: Env) -> Sequence[Func]:
+        """The methods of the class of the object that a pointer points to, where those that are found are virtual."""
+        if is_own(call.receiver) or not any(is_virtual(each, self.folder.program) for each in found):
+            return found
+        cls = self.folder.redefined.of_pointed(call.receiver, env)
+        return self.folder.objects.methods(call, cls) or found
 
     def _of_part(self, call: Invocation, env: Env) -> Func | None:
         """The method of Python of an object in a list or table, in a field, or that a call gives, by who made it."""

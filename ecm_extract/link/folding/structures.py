@@ -328,7 +328,9 @@ class StructureFolder:
         """What is passed for a parameter, or what a variable of a namespace is declared with that nobody changes."""
         given = self.folder.names.argument(expr.id, env)
         if given is not None or not self.folder.outside.is_untouched(expr.id, env.func):
-            return self.folder.own_copies.given(expr, given, env.func) if given is not None else None
+            if given is None:
+                return None
+            return self.folder.own_copies.given(expr, self.folder.returns.given_back(given), env.func)
         found = self.folder.scope.constant(expr.id, env)
         value = found[0].value if found is not None else None
         return Bound(value, self.folder.names.stated_at(*found, env)) if found and value else None

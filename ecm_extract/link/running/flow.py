@@ -48,7 +48,7 @@ class Flow:
         self._meanwhile: dict[Hashable, tuple[Env, Run | None]] = {}
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
-        self._own = OwnCalls(folder.program, lambda func, this: folder.methods.leaves(func, this))
+        self._own = OwnCalls(folder)
         self.exceptions = Exceptions(folder.program)
         self._truths = Truths(folder, self.outline)
         self.decisions = Decisions(folder, self._truths)

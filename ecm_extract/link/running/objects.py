@@ -13,7 +13,7 @@ from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.code.overloads import fitting, is_countable
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.pointed import pointed as pointed_class
-from ecm_extract.link.code.spelling import is_pointer, last_name, plain, pointee, template_arguments
+from ecm_extract.link.code.spelling import by_value, is_pointer, last_name, plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.arguments import bind
@@ -78,6 +78,11 @@ class Objects:
         naming = (base for base in bases if any(plain(pointee(each.type)) == name for each in base.fields.values()))
         found = (self.program.class_named(name, base.file, base.qualified) for base in naming)
         return next((each for each in found if each is not None), None)
+
+    def is_value(self, written: str, env: Env) -> bool:
+        """Tell whether a type as written, or what it stands for, is that of an object and of no pointer to one."""
+        alias = self.program.alias(plain(written), env.func.file, env.scope) if written else ""
+        return by_value(written) and by_value(alias or written)
 
     def type_of(self, expr: Expr, env: Env) -> str:
         """Return the type of an object as written, empty when the tree does not show it."""
