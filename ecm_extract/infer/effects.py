@@ -157,7 +157,7 @@ class Effects:
         for name, arg in named:
             yield from self._given(call, arg, target, name, last)
         yield from (Effect("handed", key, call) for key in within)
-        if led and (target is None or any(self.targets.changes(target, entry.name) for entry in params)):
+        if led and (target is None or any(self.targets.parameters.may(target, entry.name) for entry in params)):
             yield from (Effect("reached", key, call) for each in led if (key := self.key(each)))
 
     def _by_calling(self, call: Call, at: int) -> Iterator[Effect]:
@@ -168,7 +168,8 @@ class Effects:
 
     def _changes_given(self, call: Call, at: int) -> bool:
         target = self.targets.target(call, self.func, at)
-        return target is not None and any(self.targets.changes(target, entry.name) for entry in target.fact.params[:1])
+        may_change = self.targets.parameters.may
+        return target is not None and any(may_change(target, entry.name) for entry in target.fact.params[:1])
 
     def _put_into(self, call: Call) -> list[str]:
         """The variables of Python that a call gets in a list or table, or as one of several: `work([a], b or c)`."""
@@ -236,7 +237,7 @@ class Effects:
             elif self.python or not (outside or self._is_constant(root)):
                 yield Effect("handed" if key else _within(arg), root, call)
         elif self.python:
-            if self.targets.changes(target, name):
+            if self.targets.parameters.may(target, name):
                 yield Effect("out" if key else _within(arg), root, call, name)
         else:
             yield from self._by_reference(call, arg, target, name, root)
@@ -253,10 +254,18 @@ class Effects:
         elif written.rstrip().endswith(("&", "*")) and "const" not in written.split():
             pointed = written.rstrip().endswith("*") and not (isinstance(arg, Op) and arg.op == "&")
             array = self.func.written_types.get(root, "").endswith("[]")
-            if pointed and (array or self.targets.changes(target, name)):
+            if pointed and (array or self.targets.parameters.may(target, name)):
                 yield Effect("lost", root, call)
+            elif not pointed and self.key(arg) and not written.endswith("&&"):
+                yield from self._out(root, call, target, name)
             elif not pointed:
-                yield Effect("out" if self.key(arg) and not written.endswith("&&") else "lost", root, call, name)
+                yield Effect("lost", root, call, name)
+
+    def _out(self, key: str, call: Call, target: Func, name: str) -> Iterator[Effect]:
+        """What a function does to a variable that it gets by reference: to some of its fields, or to all of it."""
+        fields = self.targets.parameters.fields(target, name)
+        for each in (name,) if fields is None else sorted(fields):
+            yield Effect("out", key + each.removeprefix(name), call, each)
 
 
 def _within(arg: Expr) -> Kind:
