@@ -49,7 +49,7 @@ class Sharing:
         return names
 
     def meant(self, key: str, state: State) -> tuple[set[str], set[str]]:
-        """Return all names of a variable of C++, or of a field by those of its object, and what else changes with it."""
+        """Return all names of a variable of C++, of a field by those of its object, and what else changes with it."""
         names, touched = self.names_of(key), set[str]()
         for whole in (key, *wholes(key)):
             same = self.names_of(whole)

@@ -9,7 +9,7 @@ from typing import Final
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
-from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
+from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type, is_container, looped_type, part_of_pair
 from ecm_extract.link.code.overloads import fitting, is_countable
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.pointed import pointed as pointed_class
@@ -95,7 +95,8 @@ class Objects:
             cls = env.this or env.func.cls
             return self.scope.member_type(expr.name, cls) or self._member_assigned_type(expr.name, cls, env)
         if isinstance(expr, Member):
-            return self.scope.member_type(expr.name, self.class_of(expr.base, env.before(env.at)))
+            whole = self.type_of(expr.base, env.before(env.at))
+            return part_of_pair(whole, expr.name) or self.scope.member_type(expr.name, self.class_of(expr.base, env))
         if isinstance(expr, Call):
             return self._made_type(expr, env)
         if isinstance(expr, Op) and expr.op in {"&", "?:"}:
@@ -112,7 +113,7 @@ class Objects:
         for at in reversed(given):
             value = body[at].value
             written = self.type_of(value, env.before(at)) if value is not None else ""
-            return element_type(written) if body[at].kind == "each" else written
+            return looped_type(written) if body[at].kind == "each" else written
         return self._member_assigned_type(name, env.this or env.func.cls, env)
 
     def _member_assigned_type(self, name: str, cls: Cls | None, env: Env) -> str:
@@ -128,6 +129,8 @@ class Objects:
             last = expr.callee.id.rsplit("::", 1)[-1]
             if pointed_class(expr):
                 return pointed_class(expr)
+            if expr.types and is_container(expr.callee.id):
+                return f"{expr.callee.id}<{', '.join(expr.types)}>"
             if expr.types and (last in {"dynamic_pointer_cast", "static_pointer_cast"} or is_pointer(last)):
                 return expr.types[0]
             if last in HANDLES_OF_NODELETS:
