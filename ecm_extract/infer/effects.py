@@ -28,6 +28,7 @@ from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.infer.targets import Targets
+from ecm_extract.link.code.containers import ELEMENT_METHODS
 from ecm_extract.link.code.walk import calls_in, children
 
 if TYPE_CHECKING:
@@ -132,7 +133,7 @@ class Effects:
         if self.python and callee == _SETATTR and call.args:
             yield Effect("lost", self.key(Member(call.args[0], ALL_FIELDS)), call)
         if isinstance(callee, Member):
-            yield from self._on_receiver(call, callee)
+            yield from self._on_receiver(call, callee, at)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         last = path.rsplit("::", 1)[-1]
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
@@ -194,10 +195,12 @@ class Effects:
             return
         yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
-    def _on_receiver(self, call: Call, callee: Member) -> Iterator[Effect]:
+    def _on_receiver(self, call: Call, callee: Member, at: int) -> Iterator[Effect]:
         if callee.name in self.calls.fluent and (root := self.key(callee.base) or self.root(callee.base)):
             yield Effect("changed" if self._is_handed_back(callee.base) else "lost", root, call)
         if callee.name not in self.calls.changing:
+            if _is_element(callee.base) and self._changes_object(call, at):
+                yield Effect("reached", self.root(callee.base), call)
             return
         key = self.key(callee.base)
         reset = callee.name == "str" and not call.args
@@ -205,6 +208,11 @@ class Effects:
             yield Effect("changed", key, call)
         elif not key and (root := self.root(callee.base)):
             yield Effect("lost", root, call)
+
+    def _changes_object(self, call: Call, at: int) -> bool:
+        """Whether a call of C++ is one of a method of the tree that may change its object."""
+        target = self.targets.target(call, self.func, at) if not self.python else None
+        return target is not None and target.cls is not None and not self.targets.parameters.leaves_object(target)
 
     def _is_handed_back(self, expr: Expr) -> bool:
         """Whether an expression is a variable, behind nothing but methods that give it back."""
@@ -266,6 +274,14 @@ class Effects:
         fields = self.targets.parameters.fields(target, name)
         for each in (name,) if fields is None else sorted(fields):
             yield Effect("out", key + each.removeprefix(name), call, each)
+
+
+def _is_element(expr: Expr) -> bool:
+    """Whether an object of C++ is one of several, or lies in one: `rows[0]`, `rows.back().part`."""
+    while isinstance(expr, Member):
+        expr = expr.base
+    callee = expr.callee if isinstance(expr, Call) else None
+    return (isinstance(callee, Member) and callee.name in ELEMENT_METHODS) or (isinstance(expr, Op) and expr.op == "[]")
 
 
 def _within(arg: Expr) -> Kind:

@@ -29,6 +29,9 @@ class Parameters(Protocol):
     def fields(self, func: Func, name: str) -> Set[str] | None:
         """Return the fields of a parameter that a function changes, by key; None where it may do anything to it."""
 
+    def leaves_object(self, method: Func) -> bool:
+        """Tell whether a method changes no member of its object, and calls no other one that might."""
+
 
 class Targets(Protocol):
     """Who knows which function of the tree a call means."""

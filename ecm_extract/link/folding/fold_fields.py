@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
 
 from ecm_extract.infer.read_into import ReadInto
+from ecm_extract.link.code.expression_text import expression_text
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import by_value
@@ -124,7 +125,7 @@ class FieldFolder:
         """Tell whether what is written to is a field of another object of the class, as far as that is known."""
         members = target.base != expr.base and is_own_member(target.base) and is_own_member(expr.base)
         is_other = members or _is_element(target.base) or self._is_own(target.base, inner)
-        same = target.base == expr.base and (inner.func is env.func or not self._is_declared(target.base, inner))
+        same = _is_alike(target.base, expr.base) and (inner.func is env.func or not self._is_declared(expr.base, inner))
         return is_other and not same and not self._may_refer(expr.base, target.base, env)
 
     def _is_own(self, expr: Expr, env: Env) -> bool:
@@ -182,6 +183,11 @@ class FieldFolder:
 def _of_one(values: Sequence[Value], name: str) -> Sequence[Value]:
     """What one object of a class is given, told of any."""
     return alternatives((*values, unknown(name)))
+
+
+def _is_alike(one: Expr, other: Expr) -> bool:
+    """Whether two objects are written alike, on whatever lines."""
+    return one == other or expression_text(one, False) == expression_text(other, False)
 
 
 def _is_element(expr: Expr) -> bool:

@@ -16,6 +16,7 @@ from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, named_parts
+from ecm_extract.link.folding.left_by_constructors import left_by_constructors
 from ecm_extract.link.folding.same_objects import by_variable, is_as_made, left_by_maker, place_now, variable_given
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
@@ -313,8 +314,7 @@ class StructureFolder:
         if cls is None or len(makers) != 1:
             return None
         args = bind(makers[0], construction_of(cls, whole.expr, whole.env), whole.env)
-        begun = Env(makers[0], 0, args, this=cls, made=Instance(cls, args, {}, makers[0]), depth=env.depth + 1)
-        ways = self.folder.flow.left(self.folder.flow.run(begun), f".{expr.name}")
+        ways = left_by_constructors(expr.name, Instance(cls, args, {}, makers[0]), env, self.folder)
         held = ways[0] if len(ways) == 1 and ways[0].how == "value" else None
         return Bound(held.expr, held.env) if held is not None and held.expr is not None and held.env else None
 

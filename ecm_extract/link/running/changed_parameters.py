@@ -41,6 +41,14 @@ class ChangedParameters:
             known = self._changing[key] = by_name or self.is_hidden(func, name)
         return known
 
+    def leaves_object(self, method: Func) -> bool:
+        """Tell whether a method changes no member of its object, and calls no other one that might."""
+        if "const" in method.fact.traits:
+            return True
+        own = self.folder.flow.is_own
+        calls = any(own(call, method, at) for at, group in enumerate(method.calls) for call in group)
+        return not calls and not any(key.startswith(".") for key in self.folder.flow.outline(method).changes)
+
     def fields(self, func: Func, name: str) -> Set[str] | None:
         """Return the fields of a parameter that a function changes, by key; None where it may do anything to it."""
         key = (func, name)
