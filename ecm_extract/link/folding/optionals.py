@@ -11,6 +11,7 @@ from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.folding.begun_fields import begun_with
 from ecm_extract.link.running.env import MAX_DEPTH, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, constant, demoted, unknown, without_defaults
 
@@ -99,8 +100,18 @@ class OptionalFolder:
         ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
         found = [held for way in ways for held in way]
         if all(held.how in _ELSEWHERE for held in found):
-            found = self.folder.origins.of(expr, env)
+            found = self.folder.origins.of(expr, env) or self._of_object(expr, env)
         return list(dict.fromkeys(found))
+
+    def _of_object(self, expr: Expr, env: Env) -> list[Held]:
+        """What a field holds of an object that the function has, which is as that was made."""
+        own = self.folder.flow.effects(env.func).key(expr).startswith(".")
+        if not isinstance(expr, Member) or own or env.depth > MAX_DEPTH:
+            return []
+        made = self.folder.structures.made(expr, env) or begun_with(expr, env, self.folder)
+        if made is not None and isinstance(made.expr, Name | Member):
+            return self._helds(made.expr, made.env.deeper(env.depth + 1))
+        return [Held("value", expr.name, made.expr, made.env)] if made is not None else []
 
     def _is_one(self, expr: Expr, env: Env) -> bool:
         if env.func.file.language != "cpp":
@@ -124,6 +135,8 @@ class OptionalFolder:
             return self._gives(expr.args[0], env)
         if expr is not None and self._is_value(expr, env):
             return True
+        if isinstance(expr, Name | Member) and self._is_one(expr, env) and env.depth < MAX_DEPTH:
+            return self.holds(expr, env.deeper(env.depth + 1))
         given = self._returned(expr, env) if isinstance(expr, Call) else []
         found = {self._gives(value, place) for value, place in given}
         return found.pop() if len(found) == 1 else None

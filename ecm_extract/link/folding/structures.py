@@ -105,7 +105,7 @@ class StructureFolder:
     def _class_made(self, made: Items | Call, base: Expr, place: Env, env: Env) -> Cls | None:
         if isinstance(made, Items):
             return self.folder.objects.class_of(base, env) if made.items else None
-        return self._class_called(made, place)
+        return self.class_called(made, place)
 
     def _fitting(self, cls: Cls, call: Invocation) -> list[Func]:
         """The constructors that take the arguments of a call best."""
@@ -206,10 +206,11 @@ class StructureFolder:
     def class_at(self, expr: Expr, env: Env) -> Cls | None:
         """Return the class of an object: that which is called to make it, else its declared one."""
         bound = self._origin(expr, env)
-        made = self._class_called(bound.expr, bound.env) if bound is not None else None
+        made = self.class_called(bound.expr, bound.env) if bound is not None else None
         return made or self.folder.objects.class_of(expr, env)
 
-    def _class_called(self, made: Expr, env: Env) -> Cls | None:
+    def class_called(self, made: Expr, env: Env) -> Cls | None:
+        """Return the class of which a call makes an object; None of other expressions."""
         written = pointed(made) or (dotted_name(made.callee) if isinstance(made, Call) else "")
         return self.folder.objects.class_written(written, env) if written else None
 
@@ -224,7 +225,7 @@ class StructureFolder:
             return [Bound(item, bound.env) for item in made.items]
         if makes_tuple(made) and made.args:
             return [Bound(item, bound.env) for item in made.args]
-        cls = self._class_called(made, bound.env)
+        cls = self.class_called(made, bound.env)
         is_filled = cls is not None and cls.file.language == "cpp"  # Python has a constructor for what it is given
         if cls is None or not is_filled or any(method.is_constructor for method in cls.methods):
             return None
@@ -264,10 +265,10 @@ class StructureFolder:
         Where a function gives it, it is the variable of that which it gives back.
         """
         found = self._made(expr, env)
-        return self.folder.returns.given_back(found) if found is not None else None
+        return self.folder.returns.given_back(self.folder.own_copies.copied(found)) if found is not None else None
 
     def _made(self, expr: Expr, env: Env) -> Bound | None:
-        if isinstance(expr, Call) and self._class_called(expr, env) is not None:
+        if isinstance(expr, Call) and self.class_called(expr, env) is not None:
             return Bound(expr, env)
         if isinstance(expr, Call) and (given := variable_given(expr, env, self.folder)):
             return given
