@@ -124,10 +124,8 @@ class FieldFolder:
     def _may_be_others(self, expr: Member, env: Env, target: Member, inner: Env) -> bool:
         """Tell whether what is written to is a field of another object of the class, as far as that is known."""
         members = target.base != expr.base and is_own_member(target.base) and is_own_member(expr.base)
-        is_other = members or _is_element(target.base) or self._is_own(target.base, inner)
-        is_other = is_other or (
-            inner.func is env.func and isinstance(target.base, Name) and isinstance(expr.base, Name)
-        )
+        named = inner.func is env.func and isinstance(target.base, Name) and isinstance(expr.base, Name)
+        is_other = members or named or _is_element(target.base) or self._is_own(target.base, inner)
         same = _is_alike(target.base, expr.base) and (inner.func is env.func or not self._is_declared(expr.base, inner))
         return is_other and not same and not self._may_refer(expr.base, target.base, env)
 

@@ -59,10 +59,9 @@ class OptionalFolder:
     def _points(self, expr: Name | Member, env: Env) -> bool | None:
         """Whether a smart pointer of the function at hand points to anything; None where that is not decided."""
         written = env.func.written_types.get(self.folder.flow.effects(env.func).key(expr), "")
-        if last_name(plain(written)) not in _POINTERS:
-            return None
         helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
-        found = {False if held.how == "made" else _makes(held) or None for held in helds}
+        declared = last_name(plain(written)) in _POINTERS
+        found = {False if declared and held.how == "made" else _makes(held) or None for held in helds}
         return found.pop() if len(found) == 1 else None
 
     def _value(self, expr: Expr, rest: tuple[Expr, ...], env: Env) -> tuple[Value, ...]:
