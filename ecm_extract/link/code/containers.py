@@ -18,6 +18,8 @@ _OF_SECOND: Final = _MAPS | shipped_names(_TABLE, "multimaps")
 _TUPLES: Final = shipped_names(_TABLE, "tuples")
 KEEPING: Final = shipped_names(_TABLE, "keeping")
 """Calls that give the list that they are given."""
+PAIR: Final = ("first", "second")
+"""Fields of a pair."""
 ELEMENT_METHODS: Final = frozenset({"at", "front", "back", "top"})
 
 
@@ -42,7 +44,7 @@ def looped_type(written: str) -> str:
 def part_of_pair(written: str, name: str) -> str:
     """Type of a part of a pair, by its name. Empty for anything else."""
     held = template_arguments(written) if last_name(plain(written)) == "pair" else ()
-    return dict(zip(("first", "second"), held, strict=False)).get(name, "")
+    return dict(zip(PAIR, held, strict=False)).get(name, "")
 
 
 def parts_of_elements(written: str) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import Invocation, dotted_name
-from ecm_extract.link.code.containers import makes_tuple
+from ecm_extract.link.code.containers import PAIR, makes_tuple
 from ecm_extract.link.code.member_paths import lies_deep
 from ecm_extract.link.code.overloads import NO, score
 from ecm_extract.link.code.pointed import is_only_reached_into, pointed
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
 MAX_STATEMENTS: Final = 1_000_000
 """Behind the last statement of a function."""
-_PAIR: Final = ("first", "second")
 _DECLARED: Final = frozenset({"made", "given", "shared"})
 """Ways to hold an object that say nothing of its fields: it is as it was declared, here or elsewhere."""
 _FOLLOWED: Final = _DECLARED | {"value"}
@@ -201,7 +200,7 @@ class StructureFolder:
         names = cls.filled if cls is not None else []
         if expr.name in names:
             return names.index(expr.name)
-        return _PAIR.index(expr.name) if env.func.file.language == "cpp" and expr.name in _PAIR else None
+        return PAIR.index(expr.name) if env.func.file.language == "cpp" and expr.name in PAIR else None
 
     def class_at(self, expr: Expr, env: Env) -> Cls | None:
         """Return the class of an object: that which is called to make it, else its declared one."""

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Text
 
-from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
-from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type, is_container, looped_type, part_of_pair
+from ecm_extract.link.code.calls import Invocation, dotted_name
+from ecm_extract.link.code.containers import (
+    ELEMENT_METHODS,
+    PAIR,
+    element_type,
+    is_container,
+)
 from ecm_extract.link.code.overloads import fitting, is_countable
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.pointed import pointed as pointed_class
@@ -17,10 +22,12 @@ from ecm_extract.link.code.spelling import by_value, is_pointer, last_name, plai
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.base_calls import base_call
 from ecm_extract.link.running.early_binding import early_bound
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
 from ecm_extract.link.running.named_classes import class_asked
+from ecm_extract.link.running.pair_types import type_in_pair
 from ecm_extract.link.running.scope import Scope
 
 _POINTER_SUFFIX = re.compile(r"(?:Const)?(?:Shared|Unique|Weak)?Ptr$")
@@ -89,14 +96,14 @@ class Objects:
         if env.depth > MAX_DEPTH:
             return ""
         if isinstance(expr, Name):
-            known = self.scope.declared_type(expr.id, env) or self._assigned_type(expr.id, env)
+            known = self.scope.declared_type(expr.id, env) or self.assigned_type(expr.id, env)
             return known or self.file_scope.type_of(expr.id, env)
         if is_own_member(expr):
             cls = env.this or env.func.cls
             return self.scope.member_type(expr.name, cls) or self._member_assigned_type(expr.name, cls, env)
         if isinstance(expr, Member):
-            whole = self.type_of(expr.base, env.before(env.at))
-            return part_of_pair(whole, expr.name) or self.scope.member_type(expr.name, self.class_of(expr.base, env))
+            part = type_in_pair(expr, env.before(env.at), self) if expr.name in PAIR else ""
+            return part or self.scope.member_type(expr.name, self.class_of(expr.base, env.before(env.at)))
         if isinstance(expr, Call):
             return self._made_type(expr, env)
         if isinstance(expr, Op) and expr.op in {"&", "?:"}:
@@ -105,15 +112,15 @@ class Objects:
             return element_type(self.type_of(expr.operands[0], env.before(env.at)))
         return ""
 
-    def _assigned_type(self, name: str, env: Env) -> str:
-        """The type of what a variable is given; a type needs no run, since it does not change on the way."""
+    def assigned_type(self, name: str, env: Env, looped: Callable[[str], str] = element_type) -> str:
+        """Return the type of what a variable is given; it needs no run, since it does not change on the way."""
         body = env.func.fact.body
         places = self.scope.locals_of(env.func).get(name, ())
         given = [at for at in places if at < env.at and body[at].value is not None]
         for at in reversed(given):
             value = body[at].value
             written = self.type_of(value, env.before(at)) if value is not None else ""
-            return looped_type(written) if body[at].kind == "each" else written
+            return looped(written) if body[at].kind == "each" else written
         return self._member_assigned_type(name, env.this or env.func.cls, env)
 
     def _member_assigned_type(self, name: str, cls: Cls | None, env: Env) -> str:
@@ -224,7 +231,7 @@ class Objects:
         makers = [method for method in made.cls.methods if method.is_constructor]
         if len(makers) != 1 and made.maker is not None:
             makers = [made.maker]
-        calls = [call for call in (_base_call(func, parent) for func in makers) if call is not None]
+        calls = [call for call in (base_call(func, parent) for func in makers) if call is not None]
         constructor = self.constructor(parent, len(calls[0].args)) if len(calls) == 1 else None
         if constructor is None:
             return Instance(parent, {}, types)
@@ -237,7 +244,7 @@ class Objects:
             if made.maker is None:
                 break
             env = Env(made.maker, args=made.args, this=made.cls, made=made)
-            call = _base_call(made.maker, made.cls)
+            call = base_call(made.maker, made.cls)
             target = self.constructor(made.cls, len(call.args)) if call is not None else None
             if call is None or target is None or target is made.maker:
                 break
@@ -249,7 +256,7 @@ class Objects:
         if not func.is_constructor or func.cls is not cls or is_countable(call, func):
             return True
         maker = self.constructor(cls, len(call.args))
-        return maker is not None and _base_call(maker, cls) is not None  # it leaves the work to another one
+        return maker is not None and base_call(maker, cls) is not None  # it leaves the work to another one
 
     def _meant(self, written: str, cls: Cls) -> str:
         """What a template argument in the head of a class stands for where the class is."""
@@ -327,23 +334,3 @@ class Objects:
         methods = self.program.ancestry(owner) if owner is not None else ()
         named = [func for cls in methods for func in cls.methods if func.fact.name == call.last]
         return fitting(call, [*self.program.functions_named(call.path, call.func.file, env.scope), *named])
-
-
-def _calls_super(call: Call, parent: Cls) -> bool:
-    callee = call.callee
-    if not isinstance(callee, Member) or callee.name != "__init__":
-        return False
-    return is_super(callee.base) or last_name(dotted_name(callee.base)) == parent.fact.name
-
-
-def _base_call(func: Func, parent: Cls) -> Invocation | None:
-    """The call by which a constructor makes its base."""
-    for at, statement in enumerate(func.fact.body):
-        value, target = statement.value, statement.target
-        if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
-            args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
-            return Invocation(func, at, statement, target.id, None, one_node(func, args), (), (), statement.line)
-        if isinstance(value, Call) and _calls_super(value, parent):
-            args = value.args[1:] if value.args[:1] == (THIS,) else value.args
-            return Invocation(func, at, statement, "super", None, args, value.keywords, (), statement.line)
-    return None
