@@ -12,7 +12,7 @@ from ecm_extract.infer.bare_names import bare_names
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
-from ecm_extract.infer.places import target_of, wholes
+from ecm_extract.infer.places import target_of
 from ecm_extract.infer.pointing import is_address, makes_pointer
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.unpacking import taken, unstarred
@@ -176,12 +176,7 @@ class Assigning:
         """
         if self.frame.python:
             return self.memory.in_part(key, state.holds[key][0], state) if "." in key else state
-        same = self.memory.sharing.names_of(key)
-        touched = self.memory.sharing.touched(same, state)
-        for whole in wholes(key):
-            names = self.memory.sharing.names_of(whole)
-            touched |= self.memory.sharing.touched(names, state)
-            same |= {name + key.removeprefix(whole) for name in names}
+        same, touched = self.memory.sharing.meant(key, state)
         return self.memory.lost(state, touched).having(dict.fromkeys(same, state.holds[key]))
 
     def _unpack(self, target: Items, held: Held, state: State) -> State:

@@ -16,7 +16,6 @@ from ecm_extract.infer.memory import MAX_LENGTH, Memory
 from ecm_extract.infer.run import Frame
 
 if TYPE_CHECKING:
-    from ecm_extract.link.code.units import Func
     from ecm_extract.link.running.env import Env
 
 _STEADY: Final = frozenset({"handed", "reached", "lost", "shared"})
@@ -119,7 +118,7 @@ class Calling:
     def _is_left(self, call: Call, at: int) -> bool:
         """Whether a method changes nothing of the object that it is called on."""
         target = self.frame.judge.target(call, self.frame.env.func, at)
-        return target is not None and self._leaves_own(target)
+        return target is not None and self.frame.judge.parameters.leaves_object(target)
 
     def _of_receiver(self, call: Call, at: int) -> str:
         """The variable on which a method is called that gets the object at hand, too, and may change its own."""
@@ -127,17 +126,7 @@ class Calling:
         if key not in self.frame.effects.own:
             return ""
         target = self.frame.judge.target(call, self.frame.env.func, at)
-        return "" if target is not None and self._leaves_own(target) else key
-
-    def _leaves_own(self, method: Func) -> bool:
-        """Whether a method changes no member of its object, and calls no other one that might."""
-        members = any(key.startswith(".") for key in self.frame.judge.outline(method).changes)
-        return "const" in method.fact.traits or not (self._calls_tree(method) or members)
-
-    def _calls_tree(self, func: Func) -> bool:
-        """Whether a function may call functions of the tree, and so methods of the object at hand."""
-        own = self.frame.judge.is_own
-        return any(own(call, func, at) for at, group in enumerate(func.calls) for call in group)
+        return "" if target is not None and self.frame.judge.parameters.leaves_object(target) else key
 
     def before_rounds(self, block: Block, state: State) -> tuple[State, set[str]]:
         """Return the state before any round of a loop, and what methods that it calls change of objects."""

@@ -11,9 +11,8 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.assigning import Assigning
 from ecm_extract.infer.choosing import Choosing
 from ecm_extract.infer.held import State
-from ecm_extract.infer.looping import MAX_ROUNDS
 from ecm_extract.infer.routes import NOWHERE
-from ecm_extract.infer.run import Frame
+from ecm_extract.infer.run import MAX_ROUNDS, Frame
 from ecm_extract.link.code.walk import comprehensions
 
 

@@ -28,6 +28,7 @@ from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.infer.targets import Targets
+from ecm_extract.link.code.containers import ELEMENT_METHODS
 from ecm_extract.link.code.walk import calls_in, children, given_to
 
 if TYPE_CHECKING:
@@ -132,7 +133,7 @@ class Effects:
         if self.python and callee == _SETATTR and call.args:
             yield Effect("lost", self.key(Member(call.args[0], ALL_FIELDS)), call)
         if isinstance(callee, Member):
-            yield from self._on_receiver(call, callee)
+            yield from self._on_receiver(call, callee, at)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         last = path.rsplit("::", 1)[-1]
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
@@ -157,7 +158,7 @@ class Effects:
         for name, arg in named:
             yield from self._given(call, arg, target, name, last)
         yield from (Effect("handed", key, call) for key in within)
-        if led and (target is None or any(self.targets.changes(target, entry.name) for entry in params)):
+        if led and (target is None or any(self.targets.parameters.may(target, entry.name) for entry in params)):
             yield from (Effect("reached", key, call) for each in led if (key := self.key(each)))
 
     def _by_calling(self, call: Call, at: int) -> Iterator[Effect]:
@@ -168,7 +169,8 @@ class Effects:
 
     def _changes_given(self, call: Call, at: int) -> bool:
         target = self.targets.target(call, self.func, at)
-        return target is not None and any(self.targets.changes(target, entry.name) for entry in target.fact.params[:1])
+        may_change = self.targets.parameters.may
+        return target is not None and any(may_change(target, entry.name) for entry in target.fact.params[:1])
 
     def _put_into(self, call: Call) -> list[str]:
         """The variables of Python that a call gets in a list or table, or as one of several: `work([a], b or c)`."""
@@ -193,10 +195,12 @@ class Effects:
             return
         yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
-    def _on_receiver(self, call: Call, callee: Member) -> Iterator[Effect]:
+    def _on_receiver(self, call: Call, callee: Member, at: int) -> Iterator[Effect]:
         if callee.name in self.calls.fluent and (root := self.key(callee.base) or self.root(callee.base)):
             yield Effect("changed" if self._is_handed_back(callee.base) else "lost", root, call)
         if callee.name not in self.calls.changing:
+            if _is_element(callee.base) and self._changes_object(call, at):
+                yield Effect("reached", self.root(callee.base), call)
             return
         key = self.key(callee.base)
         reset = callee.name == "str" and not call.args
@@ -204,6 +208,11 @@ class Effects:
             yield Effect("changed", key, call)
         elif not key and (root := self.root(callee.base)):
             yield Effect("lost", root, call)
+
+    def _changes_object(self, call: Call, at: int) -> bool:
+        """Whether a call of C++ is one of a method of the tree that may change its object."""
+        target = self.targets.target(call, self.func, at) if not self.python else None
+        return target is not None and target.cls is not None and not self.targets.parameters.leaves_object(target)
 
     def _is_handed_back(self, expr: Expr) -> bool:
         """Whether an expression is a variable, behind nothing but methods that give it back."""
@@ -236,7 +245,7 @@ class Effects:
             elif self.python or not (outside or self._is_constant(root)):
                 yield Effect("handed" if key else _within(arg), root, call)
         elif self.python:
-            if self.targets.changes(target, name):
+            if self.targets.parameters.may(target, name):
                 yield Effect("out" if key else _within(arg), root, call, name)
         else:
             yield from self._by_reference(call, arg, target, name, root)
@@ -253,10 +262,26 @@ class Effects:
         elif written.rstrip().endswith(("&", "*")) and "const" not in written.split():
             pointed = written.rstrip().endswith("*") and not (isinstance(arg, Op) and arg.op == "&")
             array = self.func.written_types.get(root, "").endswith("[]")
-            if pointed and (array or self.targets.changes(target, name)):
+            if pointed and (array or self.targets.parameters.may(target, name)):
                 yield Effect("lost", root, call)
+            elif not pointed and self.key(arg) and not written.endswith("&&"):
+                yield from self._out(root, call, target, name)
             elif not pointed:
-                yield Effect("out" if self.key(arg) and not written.endswith("&&") else "lost", root, call, name)
+                yield Effect("lost", root, call, name)
+
+    def _out(self, key: str, call: Call, target: Func, name: str) -> Iterator[Effect]:
+        """What a function does to a variable that it gets by reference: to some of its fields, or to all of it."""
+        fields = self.targets.parameters.fields(target, name)
+        for each in (name,) if fields is None else sorted(fields):
+            yield Effect("out", key + each.removeprefix(name), call, each)
+
+
+def _is_element(expr: Expr) -> bool:
+    """Whether an object of C++ is one of several, or lies in one: `rows[0]`, `rows.back().part`."""
+    while isinstance(expr, Member):
+        expr = expr.base
+    callee = expr.callee if isinstance(expr, Call) else None
+    return (isinstance(callee, Member) and callee.name in ELEMENT_METHODS) or (isinstance(expr, Op) and expr.op == "[]")
 
 
 def _within(arg: Expr) -> Kind:

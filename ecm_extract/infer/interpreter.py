@@ -50,7 +50,7 @@ class Interpreter:
         self.branching = Branching(self.frame, self.exits, self)
         self.choosing = Choosing(self.frame, self.calling, self.branching)
         self.comprehending = Comprehending(self.frame, self.assigning, self.choosing)
-        self.looping = Looping(self.frame, self.exits, self.assigning, self.calling, self)
+        self.looping = Looping(self.frame, self.exits, self.assigning, self.comprehending, self)
         self._nesting = 0
 
     def result(self) -> Run:
@@ -163,7 +163,7 @@ class Interpreter:
         if statement.kind == "each":
             self.comprehending.begin(at)
             self.frame.record(at, [state])
-            return state
+            return self.calling.any_times(at, state)  # a loop of a comprehension, or one within that
         called = self.comprehending.after(statement, at, state)
         if statement.kind == "do" and statement.type.startswith("yield"):
             self.frame.run.yields.append((at, state))

@@ -7,24 +7,24 @@ from ecm_parsers.source.flow import Leave, Loop, statements, steps
 
 from ecm_extract.infer.assigning import Assigning
 from ecm_extract.infer.branching import Blocks
-from ecm_extract.infer.calling import Calling
+from ecm_extract.infer.comprehending import Comprehending
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.held import MAX_WAYS, Held, State, all_ways, joined_states
-from ecm_extract.infer.run import MAX_STEPS, Frame
-
-MAX_ROUNDS = 64
-"""Rounds of a loop that are run one by one."""
+from ecm_extract.infer.run import MAX_ROUNDS, MAX_STEPS, Frame
 
 
 class Looping:
     """Runs loops."""
 
-    def __init__(self, frame: Frame, exits: Exits, assigning: Assigning, calling: Calling, blocks: Blocks) -> None:
+    def __init__(
+        self, frame: Frame, exits: Exits, assigning: Assigning, comprehending: Comprehending, blocks: Blocks
+    ) -> None:
         self.frame = frame
         self.exits = exits
         self.memory = assigning.memory
         self.assigning = assigning
-        self.calling = calling
+        self.comprehending = comprehending
+        self.calling = comprehending.choosing.calling
         self.blocks = blocks
 
     def run(self, loop: Loop, state: State) -> State | None:
@@ -38,8 +38,8 @@ class Looping:
         items = self.frame.judge.rounds(each.value, self.frame.place(state)) if each.value is not None else None
         if items is None or len(items) > MAX_ROUNDS:
             return self._blur(loop, state)
-        self.frame.record(loop.each, [state])
         self.calling.giving.note(each, loop.each, self.frame.place(state), state)
+        state = self._begun(loop, state)
         self.memory.sharing.enter(each)
         self.exits.enter_loop()
         current: State | None = state
@@ -51,6 +51,11 @@ class Looping:
         if not items:
             self.blocks.unreached(loop.body, self.assigning.element(each, loop.each, state))
         return self._exit(loop, current)
+
+    def _begun(self, loop: Loop, state: State) -> State:
+        """The state after what a loop is over was asked for, which is done once."""
+        self.frame.at = loop.each
+        return self.comprehending.after(self.frame.body[loop.each], loop.each, state)
 
     def _round(self, loop: Loop, state: State) -> State | None:
         """Run the body once; what comes after a way out that may have been taken is not certain any more."""
@@ -108,6 +113,7 @@ class Looping:
 
     def _blur(self, loop: Loop, state: State) -> State | None:
         """Run the body once with what it changes unknown, which stands for any number of rounds."""
+        state = self._begun(loop, state) if loop.each >= 0 else state
         before, changed = self.calling.before_rounds((*loop.body, *loop.step), state)
         changed |= {key for block in (loop.body, loop.step) for key in self.memory.changed_in(block)}
         start = self.memory.lost(before, changed)
@@ -115,7 +121,6 @@ class Looping:
         self.exits.enter_loop()
         inside = self.frame.undecided(start)
         if loop.each >= 0:
-            self.frame.record(loop.each, [state])
             self.memory.sharing.enter(self.frame.body[loop.each])
             inside = self.assigning.element(self.frame.body[loop.each], loop.each, inside)
         self.frame.blurred += 1

@@ -101,8 +101,7 @@ class Memory:
             alike = self.sharing.alike(key, state)
             others = self.sharing.reached(alike, state) | self.sharing.roots({key})
         else:
-            alike = self.sharing.names_of(key)
-            others = self.sharing.touched(alike, state)
+            alike, others = self.sharing.meant(key, state)
         others = {name for name in others - alike if name in state.holds or (self.frame.python and self.is_open(name))}
         if self.escaped & alike:
             held = self._seen_by_others(key, held)

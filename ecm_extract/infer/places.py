@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Set
+from collections.abc import Callable, Iterator, Sequence, Set
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Function, Statement
@@ -112,14 +112,13 @@ def owners(key: str) -> list[str]:
     return [".".join(parts[:count]) for count in range(2, len(parts)) if not parts[0]]
 
 
-def as_own(key: str) -> Expr:
-    """Return a member of the object at hand, or a field of one, as it is written: `this->a.b`."""
-    whole: Expr = THIS
-    for name in key.split(".")[1:]:
+def as_written(key: str) -> Expr:
+    """Return a variable of the object, or another one, or a field of that, as a function of its own names writes it."""
+    root, *names = key.split(".")
+    return _field_of(Name(root) if root else THIS, names)
+
+
+def _field_of(whole: Expr, names: Sequence[str]) -> Expr:
+    for name in names:
         whole = Member(whole, name)
     return whole
-
-
-def as_written(key: str) -> Expr:
-    """Return a variable of the object, or one outside of functions, as a function of its own names writes it."""
-    return Member(THIS, key[1:]) if key.startswith(".") else Name(key)

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 MAX_STATES = 64
 """States of one statement that are kept apart; beyond, they are joined."""
+MAX_ROUNDS = 64
+"""Rounds of a loop that are run one by one."""
 MAX_STEPS = 4_000
 """Statements that one run may take; beyond, loops are no longer unrolled."""
 

@@ -10,6 +10,7 @@ from ecm_extract.infer.consisting import Consisting
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.held import State, all_ways
 from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.places import wholes
 
 
 class Sharing:
@@ -46,6 +47,15 @@ class Sharing:
         while more := {name for name, other in self._same.items() if other in names and name not in names}:
             names |= more
         return names
+
+    def meant(self, key: str, state: State) -> tuple[set[str], set[str]]:
+        """Return all names of a variable of C++, of a field by those of its object, and what else changes with it."""
+        names, touched = self.names_of(key), set[str]()
+        for whole in (key, *wholes(key)):
+            same = self.names_of(whole)
+            touched |= self.touched(same, state)
+            names |= {name + key.removeprefix(whole) for name in same}
+        return names, touched
 
     def touched(self, names: Set[str], state: State) -> set[str]:
         """Return what else changes with a variable of C++, by its names: what they lie in, and references into them."""

@@ -20,6 +20,19 @@ class Lending(Protocol):
         """Tell whether a function of the tree does nothing with an argument of a call in another one but call it."""
 
 
+class Parameters(Protocol):
+    """Who knows what functions change that they are given."""
+
+    def may(self, func: Func, name: str) -> bool:
+        """Tell whether a function may change what its parameter consists of; in C++ the fields of that."""
+
+    def fields(self, func: Func, name: str) -> Set[str] | None:
+        """Return the fields of a parameter that a function changes, by key; None where it may do anything to it."""
+
+    def leaves_object(self, method: Func) -> bool:
+        """Tell whether a method changes no member of its object, and calls no other one that might."""
+
+
 class Targets(Protocol):
     """Who knows which function of the tree a call means."""
 
@@ -28,9 +41,6 @@ class Targets(Protocol):
 
     def keeps(self, path: str) -> bool:
         """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
-
-    def changes(self, func: Func, name: str) -> bool:
-        """Tell whether a function may change what its parameter consists of."""
 
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++ means a variable of a namespace."""
@@ -47,6 +57,10 @@ class Targets(Protocol):
     @property
     def lent(self) -> Lending:
         """Who knows which functions are handed to those that only call them."""
+
+    @property
+    def parameters(self) -> Parameters:
+        """Who knows what functions change that they are given."""
 
     @property
     def exceptions(self) -> Exceptions:

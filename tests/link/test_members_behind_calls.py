@@ -38,7 +38,7 @@ ROWS = [
     ("a place of a list", 'all_[0].topic = "set";', FIRST, OPEN),
     ("the whole anew", 'p_ = Params{"set"};', P, "set"),
     ("the whole as a method makes it", "p_ = made();", P, "set"),
-    ("a function that gets it", "fill(p_);", P, OPEN),
+    ("a function that gets it", "fill(p_);", P, "set"),
     ("a function of elsewhere that gets it", "other::fill(p_);", P, OPEN),
     ("a method of it", "p_.load();", P, OPEN),
     ("what a method shows", 'shown().topic = "set";', P, "set"),

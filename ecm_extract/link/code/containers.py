@@ -18,6 +18,8 @@ _OF_SECOND: Final = _MAPS | shipped_names(_TABLE, "multimaps")
 _TUPLES: Final = shipped_names(_TABLE, "tuples")
 KEEPING: Final = shipped_names(_TABLE, "keeping")
 """Calls that give the list that they are given."""
+PAIR: Final = ("first", "second")
+"""Fields of a pair."""
 ELEMENT_METHODS: Final = frozenset({"at", "front", "back", "top"})
 
 
@@ -31,6 +33,18 @@ def element_type(written: str) -> str:
     if name in _OF_FIRST and held:
         return held[0]
     return held[1] if name in _OF_SECOND and len(held) > 1 else ""
+
+
+def looped_type(written: str) -> str:
+    """Type of what a loop over a container or an array gives: of a map pairs. Empty for anything else."""
+    parts = parts_of_elements(written)
+    return f"std::pair<{', '.join(parts)}>" if len(parts) > 1 else element_type(written)
+
+
+def part_of_pair(written: str, name: str) -> str:
+    """Type of a part of a pair, by its name. Empty for anything else."""
+    held = template_arguments(written) if last_name(plain(written)) == "pair" else ()
+    return dict(zip(PAIR, held, strict=False)).get(name, "")
 
 
 def parts_of_elements(written: str) -> tuple[str, ...]:

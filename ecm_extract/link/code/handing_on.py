@@ -15,15 +15,21 @@ Asked = Callable[[str], bool]
 """What is asked of a method by its name."""
 
 
-def hands_on(call: Call | Invocation, is_method: Asked, changes: Asked = lambda name: True) -> bool:
+def hands_on(
+    call: Call | Invocation,
+    is_method: Asked,
+    changes: Asked = lambda name: True,
+    leaves: Callable[[Lambda], bool] = lambda made: False,
+) -> bool:
     """Tell whether the arguments of a call are, or hold, the object at hand, a method of it, or a lambda that uses it.
 
     Args:
         call: the call.
         is_method: tells whether the object has a method of a name.
         changes: tells whether a method of a name may change what is a part of the object.
+        leaves: tells whether a lambda of several statements does nothing to the object.
     """
-    given = _Given(is_method, changes)
+    given = _Given(is_method, changes, leaves)
     return any(map(given.gives, (*call.args, *(value for _, value in call.keywords))))
 
 
@@ -33,11 +39,12 @@ class _Given:
 
     is_method: Asked
     changes: Asked
+    leaves: Callable[[Lambda], bool]
 
     def gives(self, expr: Expr) -> bool:
         """Tell whether an argument gives the object, or a way to it."""
         if isinstance(expr, Lambda):
-            return expr.body is None or any(map(self._reaches, calls_in(expr.body)))
+            return not self.leaves(expr) if expr.body is None else any(map(self._reaches, calls_in(expr.body)))
         if expr == THIS:
             return True
         if is_own_member(expr):

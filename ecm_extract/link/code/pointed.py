@@ -17,6 +17,7 @@ from ecm_extract.shipped import shipped_names
 _TABLE: Final = "link/code/library_values.toml"
 _POINTERS: Final = shipped_names(_TABLE, "pointers")
 _ALLOCATED: Final = shipped_names(_TABLE, "allocated")
+_ASKING: Final = frozenset({"!", "&&", "||", "==", "!="})
 _NULL: Final = (Constant("null"), Name("NULL"))
 
 
@@ -73,7 +74,9 @@ class _Reaching:
         made = isinstance(statement.value, Call) and bool(pointed(statement.value))
         copied = self._is_one(statement.value)
         if statement.target == Name(name):
-            return statement.kind != "let" or not (made or copied)
+            alone = len(self.names) == 1  # of several one would point to another object from then on
+            begun = statement.kind == "let" and (made or copied or statement.value is None)
+            return not (begun or (made and alone and not statement.type))
         if copied and self._is_one(statement.target):
             return False
         return self._gives(name, statement)
@@ -97,13 +100,18 @@ class _Reaching:
 
 
 def _parts(expr: Expr | None) -> Iterator[Expr]:
-    """Yield an expression and all in it, but not the pointer in front of a field."""
+    """Yield an expression and all in it, but not a pointer in front of a field, or that is asked for an object."""
     if expr is None:
         return
     yield expr
-    for part in children(expr):
-        if not (isinstance(expr, Member) and isinstance(part, Name)):
+    for at, part in enumerate(children(expr)):
+        if not (isinstance(part, Name) and (isinstance(expr, Member) or _asks(expr, at))):
             yield from _parts(part)
+
+
+def _asks(expr: Expr, at: int) -> bool:
+    """Whether an operation asks no more of one of its operands than whether it points to an object."""
+    return isinstance(expr, Op) and (expr.op in _ASKING or (expr.op == "?:" and at == 0))
 
 
 def _is_field(expr: Expr, name: str) -> bool:

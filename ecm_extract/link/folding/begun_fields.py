@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name
 
@@ -14,21 +14,29 @@ from ecm_extract.link.running.values import Value, demoted
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
+NOTHING: Final = Items(())
+
 
 def begun_field(expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:
     """Return what a field of `Config config;` is there; empty of other objects, and of what nothing begins."""
+    begun = begun_with(expr, env, folder)
+    return demoted(folder.fold(begun.expr, begun.env)) if begun is not None and begun.expr != NOTHING else ()
+
+
+def begun_with(expr: Member, env: Env, folder: Folder) -> Bound | None:
+    """Return what a field of such an object is given where that is declared, `NOTHING` for nothing; None of others."""
     if env.func.file.language != "cpp":
-        return ()
+        return None
     key = folder.flow.effects(env.func).key(expr.base)
     begun = _of_new(key[1:], env, folder) if key.startswith(".") else _of_local(expr.base, env, folder)
     cls = folder.objects.class_of(expr.base, env) if begun is not None else None
     if begun is None or cls is None or expr.name not in cls.fields or cls.fact.bases or cls.constructors:
-        return ()
+        return None
     place = Env(env.func, depth=env.depth + 1, this=cls)
     parts = [Bound(each, place) for each in begun]
     given = dict(named_parts(parts)) or dict(zip(cls.filled, parts, strict=False))
     default = given[expr.name].expr if expr.name in given else cls.fields[expr.name].default
-    return demoted(folder.fold(default, place)) if default is not None else ()
+    return Bound(default if default is not None else NOTHING, place)
 
 
 def _of_local(base: Expr, env: Env, folder: Folder) -> Sequence[Expr] | None:

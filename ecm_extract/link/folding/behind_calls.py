@@ -8,7 +8,7 @@ from ecm_parsers.source.expr import Call
 
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.held import Held, all_ways
-from ecm_extract.infer.places import as_own, owners
+from ecm_extract.infer.places import as_written, owners
 from ecm_extract.link.folding.fields_left import field_left
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env, invocation_of
@@ -41,7 +41,7 @@ class BehindCalls:
             return ways, inner
         if any(self.folder.flow.left(run, whole) for whole in owners(held.name)):
             end = inner.within(run.end, len(inner.func.fact.body))
-            return (Held("value", held.name, as_own(held.name), end),), inner
+            return (Held("value", held.name, as_written(held.name), end),), inner
         if self._is_changed_unseen(held, inner):
             return (Held("lost", held.name),), inner
         return (held.before, env) if not run.end.called else ((Held("shared", held.name),), inner)

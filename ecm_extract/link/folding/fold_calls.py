@@ -30,6 +30,7 @@ from ecm_extract.link.folding.instances import is_instance
 from ecm_extract.link.folding.of_templates import spelled
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.folding.text_functions import TEXT_FUNCTIONS
+from ecm_extract.link.folding.tuple_parts import part_by_place
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.other_nodes import asks_another_node
 from ecm_extract.link.running.own_names import node_namespace
@@ -231,7 +232,7 @@ class CallFolder:
         searched = None if python else self.folder.searches.count(call, env)
         if searched is not None:
             return searched
-        part = None if python else self.folder.structures.part_by_place(call, env)
+        part = None if python else part_by_place(call, env, self.folder)
         if part is not None:
             return part
         bound = None if python else limit(call.path, call.types)

@@ -9,14 +9,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Items, Member, Name, Op
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
 
 from ecm_extract.infer.read_into import ReadInto
+from ecm_extract.link.code.expression_text import expression_text
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import dotted, names_in
+from ecm_extract.link.folding.other_objects import OtherObjects, is_one_of_several
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.values import MAX_ALTERNATIVES, Value, alternatives, demoted, unknown
 
@@ -29,6 +31,7 @@ class FieldFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self._others = OtherObjects()
 
     def value(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return what the field can hold; empty when nothing at hand writes it."""
@@ -97,6 +100,8 @@ class FieldFolder:
         inner = self._inside(func, read.at, env)
         if not isinstance(read.out, Member) or self._is_same_kind(expr, env, read.out, inner) is False:
             return ()
+        if self._is_apart(expr, read.out, func, env):
+            return (unknown(expr.name),)
         values = self.folder.parameters.parameter_value(read.name, read.default, inner)
         return _of_one(values, expr.name) if self._may_be_others(expr, env, read.out, inner) else values
 
@@ -105,16 +110,23 @@ class FieldFolder:
         target = statement.target
         if not isinstance(target, Member) or not self._is_meant(expr, env, target, inner):
             return ()
+        if self._is_apart(expr, target, func, env):
+            return (unknown(expr.name),)
         values = demoted(self.folder.fold(statement.value, inner))
         elsewhere = func is not env.func and func.file.language == "python" and _is_element(target.base)
         others = elsewhere or self._may_be_others(expr, env, target, inner)  # a list may have become another meanwhile
         return _of_one(values, expr.name) if others else values
 
+    def _is_apart(self, expr: Member, target: Member, func: Func, env: Env) -> bool:
+        """Tell whether what is written to is a field of an object that the one at hand has nothing to do with."""
+        return func is env.func and self._others.are_apart(expr.base, target.base, func)
+
     def _may_be_others(self, expr: Member, env: Env, target: Member, inner: Env) -> bool:
         """Tell whether what is written to is a field of another object of the class, as far as that is known."""
         members = target.base != expr.base and is_own_member(target.base) and is_own_member(expr.base)
-        is_other = members or _is_element(target.base) or self._is_own(target.base, inner)
-        same = target.base == expr.base and (inner.func is env.func or not self._is_declared(target.base, inner))
+        named = inner.func is env.func and isinstance(target.base, Name) and isinstance(expr.base, Name)
+        is_other = members or named or _is_element(target.base) or self._is_own(target.base, inner)
+        same = _is_alike(target.base, expr.base) and (inner.func is env.func or not self._is_declared(expr.base, inner))
         return is_other and not same and not self._may_refer(expr.base, target.base, env)
 
     def _is_own(self, expr: Expr, env: Env) -> bool:
@@ -174,8 +186,13 @@ def _of_one(values: Sequence[Value], name: str) -> Sequence[Value]:
     return alternatives((*values, unknown(name)))
 
 
+def _is_alike(one: Expr, other: Expr) -> bool:
+    """Whether two objects are written alike, on whatever lines."""
+    return one == other or expression_text(one, False) == expression_text(other, False)
+
+
 def _is_element(expr: Expr) -> bool:
-    """Tell whether an object is one of several, or lies in one: `rows[0]`; what it is given the others are not."""
+    """Tell whether an object is one of several, or lies in one: `rows[0]`, `rows.back()`; others do not get its own."""
     while isinstance(expr, Member):
         expr = expr.base
-    return isinstance(expr, Op) and expr.op == "[]"
+    return is_one_of_several(expr) or isinstance(expr, Call)

@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Member
+from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import with_character
 from ecm_extract.infer.held import Held, How, all_ways
+from ecm_extract.infer.places import as_written
 from ecm_extract.link.code.containers import begins_empty
 from ecm_extract.link.code.named_alike import is_name_of_node
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls
+from ecm_extract.link.folding.begun_fields import begun_field
 from ecm_extract.link.folding.declared_numbers import as_declared
 from ecm_extract.link.folding.fold_changes import STREAMS, ChangeFolder
 from ecm_extract.link.folding.reached_elements import reached
@@ -90,8 +92,9 @@ class HeldFolder:
         if held.how == "shared" and held.before:
             return self.folder.names.variables.given(held.name, env.func.file, self.of([held.before], env))
         if held.how in {"given", "shared"}:
-            entered = self._entered(held, env)
-            return self.values(entered, env) if entered else self.given(held.name, env, first=held.how == "given")
+            place = env if held.env is None else inner
+            entered = self._entered(held, place)
+            return self.values(entered, place) if entered else self.given(held.name, place, first=held.how == "given")
         if held.how == "looped":
             return self.of([held.before], env)
         if held.how in {"handed", "reached"}:
@@ -152,7 +155,14 @@ class HeldFolder:
             found = self.folder.members.member_value(name, owner, entry)
             return found or self.folder.names.around(name, entry) or (unknown(name),)
         is_python = entry.func.file.language == "python" and not key.startswith(".")
-        return (self.folder.names.imported(key, entry) if is_python else ()) or (unknown(name),)
+        found = self.folder.names.imported(key, entry) if is_python else self._as_begun(as_written(key), env)
+        return found or (unknown(name),)
+
+    def _as_begun(self, expr: Expr, env: Env) -> tuple[Value, ...]:
+        """What a field of C++ is that the function has not given anything yet: what its object is made from says it."""
+        if env.func.file.language != "cpp" or not isinstance(expr, Member):
+            return ()
+        return self.folder.structures.field(expr, env) or begun_field(expr, env, self.folder)
 
     def at_first(self, name: str, env: Env) -> tuple[Value, ...]:
         """Return what a member holds of a new object (`FirstMethods`): what its bases made of it, or its default."""
@@ -304,7 +314,7 @@ class HeldFolder:
 
 
 def _label(key: str) -> str:
-    return key.rpartition(".")[2].lstrip("^") or "value"
+    return key.rpartition(".")[2].lstrip("^#") or "value"
 
 
 def _statement(held: Held) -> Statement | None:

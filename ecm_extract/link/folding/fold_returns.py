@@ -22,6 +22,7 @@ from ecm_extract.link.folding.handed_objects import HandedObjects
 from ecm_extract.link.folding.names_of_nodes import told_by_node
 from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.early_binding import is_virtual
 from ecm_extract.link.running.env import Bound, Env, Instance, invocation_of
 from ecm_extract.link.running.object_states import is_own
 from ecm_extract.link.running.own_names import below_namespace
@@ -94,7 +95,7 @@ class ReturnFolder:
         handed = self.closures.function(call, env)
         if handed is not None:
             return handed[0]
-        fitting = self.folder.objects.callees(call, env)
+        fitting = self._of_pointed(self.folder.objects.callees(call, env), call, env)
         if len(fitting) > 1 and env.func.file.language == "cpp":
             fitting = self._taking(fitting, call, env)
         if env.func.file.language == "python":
@@ -115,6 +116,13 @@ class ReturnFolder:
         scores = [score(call, func) for func in fitting]
         is_best = bool(scores[1:]) and scores[0] > scores[1] and all(self._kind(arg, env) for arg in call.args)
         return fitting[:1] if is_best else fitting
+
+    def _of_pointed(self, found: Sequence[Func], call: Invocation, env: Env) -> Sequence[Func]:
+        """The methods of the class of the object that a pointer points to, where those that are found are virtual."""
+        if is_own(call.receiver) or not any(is_virtual(each, self.folder.program) for each in found):
+            return found
+        cls = self.folder.redefined.of_pointed(call.receiver, env)
+        return self.folder.objects.methods(call, cls) or found
 
     def _of_part(self, call: Invocation, env: Env) -> Func | None:
         """The method of Python of an object in a list or table, in a field, or that a call gives, by who made it."""

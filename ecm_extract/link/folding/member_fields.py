@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import Member
 
 from ecm_extract.infer.held import Held
-from ecm_extract.infer.places import as_own, owners
+from ecm_extract.infer.places import as_written, owners
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.running.env import Env
@@ -75,7 +75,7 @@ class MemberFields:
                     yield unknown(key.rpartition(".")[2])
             else:
                 end = place.within(run.end, len(place.func.fact.body))
-                yield from self.folder.fold(as_own(key), end)
+                yield from self.folder.fold(as_written(key), end)
 
     def _is_changed(self, key: str, cls: Cls, env: Env) -> bool:
         """Whether a method gives the field something, or does something to its object other than to make it."""

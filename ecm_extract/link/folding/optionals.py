@@ -11,6 +11,7 @@ from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.folding.begun_fields import begun_with
 from ecm_extract.link.running.env import MAX_DEPTH, Env, invocation_of
 from ecm_extract.link.running.values import Value, alternatives, constant, demoted, unknown, without_defaults
 
@@ -58,10 +59,9 @@ class OptionalFolder:
     def _points(self, expr: Name | Member, env: Env) -> bool | None:
         """Whether a smart pointer of the function at hand points to anything; None where that is not decided."""
         written = env.func.written_types.get(self.folder.flow.effects(env.func).key(expr), "")
-        if last_name(plain(written)) not in _POINTERS:
-            return None
         helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
-        found = {False if held.how == "made" else _makes(held) or None for held in helds}
+        declared = last_name(plain(written)) in _POINTERS
+        found = {False if declared and held.how == "made" else _makes(held) or None for held in helds}
         return found.pop() if len(found) == 1 else None
 
     def _value(self, expr: Expr, rest: tuple[Expr, ...], env: Env) -> tuple[Value, ...]:
@@ -99,8 +99,18 @@ class OptionalFolder:
         ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
         found = [held for way in ways for held in way]
         if all(held.how in _ELSEWHERE for held in found):
-            found = self.folder.origins.of(expr, env)
+            found = self.folder.origins.of(expr, env) or self._of_object(expr, env)
         return list(dict.fromkeys(found))
+
+    def _of_object(self, expr: Expr, env: Env) -> list[Held]:
+        """What a field holds of an object that the function has, which is as that was made."""
+        own = self.folder.flow.effects(env.func).key(expr).startswith(".")
+        if not isinstance(expr, Member) or own or env.depth > MAX_DEPTH:
+            return []
+        made = self.folder.structures.made(expr, env) or begun_with(expr, env, self.folder)
+        if made is not None and isinstance(made.expr, Name | Member):
+            return self._helds(made.expr, made.env.deeper(env.depth + 1))
+        return [Held("value", expr.name, made.expr, made.env)] if made is not None else []
 
     def _is_one(self, expr: Expr, env: Env) -> bool:
         if env.func.file.language != "cpp":
@@ -124,6 +134,8 @@ class OptionalFolder:
             return self._gives(expr.args[0], env)
         if expr is not None and self._is_value(expr, env):
             return True
+        if isinstance(expr, Name | Member) and self._is_one(expr, env) and env.depth < MAX_DEPTH:
+            return self.holds(expr, env.deeper(env.depth + 1))
         given = self._returned(expr, env) if isinstance(expr, Call) else []
         found = {self._gives(value, place) for value, place in given}
         return found.pop() if len(found) == 1 else None

@@ -11,6 +11,7 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import by_value, plain
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.folding.constructions import given_of
 from ecm_extract.link.running.env import Bound, Env
 
 if TYPE_CHECKING:
@@ -35,6 +36,14 @@ class OwnCopies:
     def of_element(self, element: Bound | None) -> Bound | None:
         """Return what makes an element of a list."""
         return self._made(element) if element is not None else None
+
+    def copied(self, made: Bound) -> Bound:
+        """Return the object of which another one is made as a copy, where no constructor says that: `Row(row)`."""
+        cls = self.folder.structures.class_called(made.expr, made.env)
+        given = given_of(made.expr) if isinstance(made.expr, Call) else ()
+        if cls is None or cls.file.language != "cpp" or len(given) != 1 or cls.constructors:
+            return made
+        return Bound(given[0], made.env) if self.folder.objects.class_of(given[0], made.env) is cls else made
 
     def _made(self, whole: Bound) -> Bound:
         """What makes a copy of an object, where its class says that; else the object as it is."""

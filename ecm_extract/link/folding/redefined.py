@@ -9,7 +9,6 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.own import is_own_member, is_super
-from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.early_binding import is_virtual
 from ecm_extract.link.running.env import Env, invocation_of
@@ -60,9 +59,19 @@ class Redefined:
         if cls is None or callee.fact.name not in self._names_below(cls):
             return False
         if env.func.file.language == "cpp":
-            is_value = by_value(self.folder.objects.type_of(receiver, env))
-            return is_virtual(callee, self.folder.program) and not is_value
+            known = self._is_value(receiver, env) or self.of_pointed(receiver, env) is not None
+            return is_virtual(callee, self.folder.program) and not known
         return not self._is_made_as(receiver, cls, env)
+
+    def of_pointed(self, receiver: Expr | None, env: Env) -> Cls | None:
+        """Return the class of the object that a pointer of C++ points to, where it is seen how that is made."""
+        if receiver is None or env.func.file.language != "cpp" or self._is_value(receiver, env):
+            return None
+        made = self.folder.states.instance(receiver, env)
+        return made.cls if made is not None else None
+
+    def _is_value(self, receiver: Expr, env: Env) -> bool:
+        return self.folder.objects.is_value(self.folder.objects.type_of(receiver, env), env)
 
     def _is_made_as(self, receiver: Expr, cls: Cls | None, env: Env) -> bool:
         """Whether an object of Python is made by a call of the class itself, as far as it is seen who makes it."""

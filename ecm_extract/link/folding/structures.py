@@ -9,13 +9,14 @@ from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import Invocation, dotted_name
-from ecm_extract.link.code.containers import makes_tuple
+from ecm_extract.link.code.containers import PAIR, makes_tuple
 from ecm_extract.link.code.member_paths import lies_deep
 from ecm_extract.link.code.overloads import NO, score
 from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, named_parts
+from ecm_extract.link.folding.left_by_constructors import left_by_constructors
 from ecm_extract.link.folding.same_objects import by_variable, is_as_made, left_by_maker, place_now, variable_given
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
@@ -27,8 +28,6 @@ if TYPE_CHECKING:
 
 MAX_STATEMENTS: Final = 1_000_000
 """Behind the last statement of a function."""
-_PAIR: Final = ("first", "second")
-_GET: Final = "std::get"
 _DECLARED: Final = frozenset({"made", "given", "shared"})
 """Ways to hold an object that say nothing of its fields: it is as it was declared, here or elsewhere."""
 _FOLLOWED: Final = _DECLARED | {"value"}
@@ -63,7 +62,7 @@ class StructureFolder:
 
     def _left_out(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """A field that nothing is given to where its object is made: what C++ makes of a value that is left out."""
-        parts = self._parts(expr.base, env) if env.func.file.language == "cpp" else None
+        parts = self.parts(expr.base, env) if env.func.file.language == "cpp" else None
         cls = self.class_at(expr.base, env) if parts is not None else None
         at = self._place(expr, env) if cls is not None and not cls.fact.bases else None
         field = cls.fields.get(expr.name) if cls is not None else None
@@ -83,17 +82,6 @@ class StructureFolder:
         outline = self.folder.flow.outline(whole.env.func)
         root = outline.effects.root(whole.expr)
         return not root or any(key.startswith(f"{root}.") for key in outline.changes)
-
-    def part_by_place(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
-        """`std::get<1>(pair)`; None for other calls."""
-        at = call.types[0] if call.path == _GET and len(call.args) == len(call.types) == 1 else ""
-        tuple_ = call.args[0] if at.isdigit() else None
-        parted = any(self.folder.flow.ways(Member(tuple_, name), env) for name in _PAIR) if tuple_ is not None else True
-        parts = self._parts(tuple_, env) if tuple_ is not None and not parted else None
-        if parts is None or int(at) >= len(parts):
-            return None
-        bound = parts[int(at)]
-        return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
 
     def _constructed(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """What the constructor that takes the arguments of an object best gives its member; empty without one."""
@@ -116,7 +104,7 @@ class StructureFolder:
     def _class_made(self, made: Items | Call, base: Expr, place: Env, env: Env) -> Cls | None:
         if isinstance(made, Items):
             return self.folder.objects.class_of(base, env) if made.items else None
-        return self._class_called(made, place)
+        return self.class_called(made, place)
 
     def _fitting(self, cls: Cls, call: Invocation) -> list[Func]:
         """The constructors that take the arguments of a call best."""
@@ -188,7 +176,7 @@ class StructureFolder:
         """Tell whether an object was given a value that does not show what it is made from."""
         given = any(held.how not in _DECLARED for held in self._helds(expr, env))
         given = given or (isinstance(expr, Member) and self.part(expr, env) is not None)
-        return given and self._parts(expr, env) is None
+        return given and self.parts(expr, env) is None
 
     def _passed(self, name: str, env: Env) -> Value | None:
         bound = self.folder.names.argument(name, env)
@@ -199,7 +187,7 @@ class StructureFolder:
 
     def part(self, expr: Member, env: Env) -> Bound | None:
         """Return what a field is where its object is made; None where that gives it nothing."""
-        parts = self._parts(expr.base, env)
+        parts = self.parts(expr.base, env)
         named = dict(named_parts(parts or ()))
         if expr.name in named:
             return named[expr.name]
@@ -212,19 +200,20 @@ class StructureFolder:
         names = cls.filled if cls is not None else []
         if expr.name in names:
             return names.index(expr.name)
-        return _PAIR.index(expr.name) if env.func.file.language == "cpp" and expr.name in _PAIR else None
+        return PAIR.index(expr.name) if env.func.file.language == "cpp" and expr.name in PAIR else None
 
     def class_at(self, expr: Expr, env: Env) -> Cls | None:
         """Return the class of an object: that which is called to make it, else its declared one."""
         bound = self._origin(expr, env)
-        made = self._class_called(bound.expr, bound.env) if bound is not None else None
+        made = self.class_called(bound.expr, bound.env) if bound is not None else None
         return made or self.folder.objects.class_of(expr, env)
 
-    def _class_called(self, made: Expr, env: Env) -> Cls | None:
+    def class_called(self, made: Expr, env: Env) -> Cls | None:
+        """Return the class of which a call makes an object; None of other expressions."""
         written = pointed(made) or (dotted_name(made.callee) if isinstance(made, Call) else "")
         return self.folder.objects.class_written(written, env) if written else None
 
-    def _parts(self, expr: Expr, env: Env) -> list[Bound] | None:
+    def parts(self, expr: Expr, env: Env) -> list[Bound] | None:
         """Return the values that an object is made from, in order."""
         bound = self._origin(expr, env) or (Bound(expr, env) if isinstance(expr, Call) else None)
         bound = self.folder.returns.shown(bound) if bound is not None else None
@@ -235,7 +224,7 @@ class StructureFolder:
             return [Bound(item, bound.env) for item in made.items]
         if makes_tuple(made) and made.args:
             return [Bound(item, bound.env) for item in made.args]
-        cls = self._class_called(made, bound.env)
+        cls = self.class_called(made, bound.env)
         is_filled = cls is not None and cls.file.language == "cpp"  # Python has a constructor for what it is given
         if cls is None or not is_filled or any(method.is_constructor for method in cls.methods):
             return None
@@ -270,13 +259,20 @@ class StructureFolder:
         return owner is not None and owner.file.language == "cpp" and owner.fields[name].default is not None
 
     def made(self, expr: Expr, env: Env) -> Bound | None:
-        """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
-        if isinstance(expr, Call) and self._class_called(expr, env) is not None:
+        """Return what an object is made from: of a variable its value, of a parameter what is passed for it.
+
+        Where a function gives it, it is the variable of that which it gives back.
+        """
+        found = self._made(expr, env)
+        return self.folder.returns.given_back(self.folder.own_copies.copied(found)) if found is not None else None
+
+    def _made(self, expr: Expr, env: Env) -> Bound | None:
+        if isinstance(expr, Call) and self.class_called(expr, env) is not None:
             return Bound(expr, env)
         if isinstance(expr, Call) and (given := variable_given(expr, env, self.folder)):
             return given
         if not isinstance(expr, Name | Member):
-            return self.folder.own_copies.of_element(self.folder.lists.element(expr, env))
+            return self.folder.own_copies.of_element(self.folder.tables.element(expr, env))
         helds = self._helds(expr, env)
         if all(held.how == "given" for held in helds):
             return self._of_name(expr, env) if isinstance(expr, Name) else self._of_whole(expr, env)
@@ -285,8 +281,7 @@ class StructureFolder:
             return None
         if isinstance(expr, Name) and not self._is_followed(expr.id, held.expr, held.env.func):
             return None
-        made = self.folder.returns.given_back(Bound(held.expr, held.env))
-        return self.folder.own_copies.given(expr, made, held.env.func)
+        return self.folder.own_copies.given(expr, Bound(held.expr, held.env), held.env.func)
 
     def _is_followed(self, name: str, made: Expr, func: Func) -> bool:
         """Whether it is seen who changes the object in a variable."""
@@ -319,8 +314,7 @@ class StructureFolder:
         if cls is None or len(makers) != 1:
             return None
         args = bind(makers[0], construction_of(cls, whole.expr, whole.env), whole.env)
-        begun = Env(makers[0], 0, args, this=cls, made=Instance(cls, args, {}, makers[0]), depth=env.depth + 1)
-        ways = self.folder.flow.left(self.folder.flow.run(begun), f".{expr.name}")
+        ways = left_by_constructors(expr.name, Instance(cls, args, {}, makers[0]), env, self.folder)
         held = ways[0] if len(ways) == 1 and ways[0].how == "value" else None
         return Bound(held.expr, held.env) if held is not None and held.expr is not None and held.env else None
 

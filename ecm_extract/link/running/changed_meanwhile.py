@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Op
 
-from ecm_extract.infer.places import as_own
+from ecm_extract.infer.places import as_written
 from ecm_extract.link.code.calls import Invocation, invocations
 from ecm_extract.link.code.spelling import last_name, plain, pointee
 from ecm_extract.link.code.units import Cls, Func
@@ -91,7 +91,7 @@ class ChangedMeanwhile:
             for callee in (call.callee for calls in func.calls for call in calls):
                 key = self.folder.flow.effects(func).key(callee.base) if isinstance(callee, Member) else ""
                 if isinstance(callee, Member) and key.startswith("."):
-                    found[callee.name].append((func, as_own(key)))
+                    found[callee.name].append((func, as_written(key)))
         return found
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Set
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Member
 
@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
 
+MAX_FIELDS: Final = 16
+"""Fields of an object that are told apart; who changes more changes the object."""
+
+
 class ChangedParameters:
     """Tells it; each parameter is asked about once."""
 
@@ -23,6 +27,7 @@ class ChangedParameters:
         self.folder = folder
         self._changing: dict[tuple[Func, str], bool] = {}
         self._hidden: dict[tuple[Func, str], bool] = {}
+        self._fields: dict[tuple[Func, str], Set[str] | None] = {}
 
     def may(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of; in C++ the fields of that."""
@@ -35,6 +40,32 @@ class ChangedParameters:
             by_name = self.folder.flow.effects(func).may_change(name)
             known = self._changing[key] = by_name or self.is_hidden(func, name)
         return known
+
+    def leaves_object(self, method: Func) -> bool:
+        """Tell whether a method changes no member of its object, and calls no other one that might."""
+        if "const" in method.fact.traits:
+            return True
+        own = self.folder.flow.is_own
+        calls = any(own(call, method, at) for at, group in enumerate(method.calls) for call in group)
+        return not calls and not any(key.startswith(".") for key in self.folder.flow.outline(method).changes)
+
+    def fields(self, func: Func, name: str) -> Set[str] | None:
+        """Return the fields of a parameter that a function changes, by key; None where it may do anything to it."""
+        key = (func, name)
+        if key not in self._fields:
+            self._fields[key] = None  # who asks in a circle
+            self._fields[key] = self._fields_of(func, name)
+        return self._fields[key]
+
+    def _fields_of(self, func: Func, name: str) -> Set[str] | None:
+        outline = self.folder.flow.outline(func)
+        changed = frozenset(key for key in outline.changes if is_within(key, name))
+        given = any(outline.effects.key(arg) == name for group in func.calls for call in group for arg in call.args)
+        shown = "reference" in func.fact.traits or name in outline.exposed or name in changed
+        others = any(param.name != name and _may_be_written(param.type) for param in func.params)  # of the same object
+        if given or shown or others or len(changed) > MAX_FIELDS or not self.folder.lent.is_one(func):
+            return None
+        return None if self.is_hidden(func, name) else changed
 
     def is_hidden(self, func: Func, name: str) -> bool:
         """Tell whether it does, or may, by a method, by another name, or in a function within it."""
@@ -69,6 +100,11 @@ class ChangedParameters:
 
     def _is_bound(self, func: Func, name: str) -> bool:
         return any(is_within(key, name) for key in self.folder.flow.outline(func).changes)
+
+
+def _may_be_written(written: str) -> bool:
+    """Whether a function of C++ can change what a parameter of a type is, or points to."""
+    return written.rstrip().endswith(("&", "*")) and "const" not in written.split()
 
 
 def _methods(func: Func) -> Iterator[tuple[Call, Member]]:

@@ -31,6 +31,7 @@ from ecm_extract.link.running.truths import Truths
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
+    from ecm_extract.link.running.changed_parameters import ChangedParameters
     from ecm_extract.link.running.lasting_states import LastingStates
     from ecm_extract.link.running.lent import Lent
     from ecm_extract.link.running.method_effects import MethodEffects
@@ -48,7 +49,7 @@ class Flow:
         self._meanwhile: dict[Hashable, tuple[Env, Run | None]] = {}
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
-        self._own = OwnCalls(folder.program, lambda func, this: folder.methods.leaves(func, this))
+        self._own = OwnCalls(folder)
         self.exceptions = Exceptions(folder.program)
         self._truths = Truths(folder, self.outline)
         self.decisions = Decisions(folder, self._truths)
@@ -67,6 +68,11 @@ class Flow:
     def methods(self) -> MethodEffects:
         """Who knows what methods change."""
         return self.folder.methods
+
+    @property
+    def parameters(self) -> ChangedParameters:
+        """Who knows what functions change that they are given."""
+        return self.folder.methods.parameters
 
     @property
     def running(self) -> Collection[Func]:
@@ -281,10 +287,6 @@ class Flow:
     def keeps(self, path: str) -> bool:
         """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
         return self.folder.reads.knows(last_name(path)) or leaves_arguments(path)
-
-    def changes(self, func: Func, name: str) -> bool:
-        """Tell whether a function may change what its parameter consists of."""
-        return self.folder.methods.parameters.may(func, name)
 
     def shared_members(self, func: Func) -> Mapping[str, Set[str]]:
         """Return, for members of the object at hand, the others that each may be or consist of, by key."""

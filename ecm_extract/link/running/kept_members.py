@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 from ecm_extract.infer.held import Held
-from ecm_extract.infer.places import as_own
+from ecm_extract.infer.places import as_written
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
@@ -50,18 +50,19 @@ class KeptMembers:
 
     def as_made(self, key: str, maker: Env, run: Run) -> Sequence[Held] | None:
         """Return what a field is behind the constructor that makes its object there; None of other objects."""
-        whole = self.folder.flow.left(run, f".{key.split('.')[1]}")
-        fresh = len(whole) == 1 and whole[0].how == "value" and isinstance(whole[0].expr, Call)
-        if not fresh or run.end is None or self.folder.objects.class_of(as_own(key.rpartition(".")[0]), maker) is None:
+        left = self.folder.flow.left(run, f".{key.split('.')[1]}")
+        fresh = len(left) == 1 and left[0].how == "value" and isinstance(left[0].expr, Call)
+        whole = as_written(key.rpartition(".")[0])
+        if not fresh or run.end is None or self.folder.objects.class_of(whole, maker) is None:
             return None
         end = maker.within(run.end, len(maker.func.fact.body))
-        return (Held("value", key, as_own(key), end),)
+        return (Held("value", key, as_written(key), end),)
 
     def _may_change(self, key: str, env: Env) -> bool:
         field = key.rpartition(".")[2]
         if self.folder.scope.assigned_outside(field, "python"):
             return True
-        cls = self.folder.objects.class_of(as_own(key.rpartition(".")[0]), env)
+        cls = self.folder.objects.class_of(as_written(key.rpartition(".")[0]), env)
         return cls is not None and self.folder.shifting.member(field, cls)
 
     def _is_named_outside(self, name: str, cls: Cls) -> bool:

@@ -10,7 +10,7 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Opaque, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.spelling import by_value, last_name, plain
+from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import children, given_to
 from ecm_extract.link.running.env import Env
@@ -166,14 +166,17 @@ class KnownCallers:
         """Whether a statement of C++ makes another object of what is in a variable."""
         if func.file.language != "cpp" or statement.value != Name(name) or statement.kind not in {"let", "set"}:
             return False
-        return by_value(func.written_types.get(name, "")) and not statement.type.endswith(("&", "*"))
+        is_value = self.folder.objects.is_value(func.written_types.get(name, ""), Env(func))
+        return is_value and not statement.type.endswith(("&", "*"))
 
     def _lent(self, call: Call, func: Func, at: int) -> Sequence[Expr]:
         """The arguments of C++ that a function of the tree gets copies of, or only looks at."""
         callee = self.folder.flow.target(call, func, at) if func.file.language == "cpp" else None
         params = callee.params if callee is not None else ()
         taken = zip(call.args, params, strict=False)
-        return [arg for arg, param in taken if by_value(param.type) or _is_looked_at(param.type)]
+        place = Env(callee or func)
+        is_value = self.folder.objects.is_value
+        return [arg for arg, param in taken if is_value(param.type, place) or _is_looked_at(param.type)]
 
 
 def _is_looked_at(written: str) -> bool:

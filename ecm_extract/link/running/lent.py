@@ -39,15 +39,15 @@ class Lent:
     def is_lent(self, call: Call, func: Func, index: int) -> bool:
         """Tell whether a function of the tree does nothing with an argument of a call in another one but call it."""
         callee = self.folder.flow.target(call, func, len(func.fact.body))
-        if callee is None or index >= len(callee.params) or not self._is_one(callee):
+        if callee is None or index >= len(callee.params) or not self.is_one(callee):
             return False
         key = (callee, callee.params[index].name)
         if key not in self._calling:
             self._calling[key] = _only_calls(*key) and not self._is_seen_inside(*key)
         return self._calling[key]
 
-    def _is_one(self, callee: Func) -> bool:
-        """Whether no other function can run in place of one."""
+    def is_one(self, callee: Func) -> bool:
+        """Tell whether no other function can run in place of one."""
         derived = self.folder.program.derived(callee.cls) if callee.cls is not None else ()
         others = {method.fact.name for entry in derived for method in entry.methods}
         same = [each for each in callee.siblings() if each.fact.body]

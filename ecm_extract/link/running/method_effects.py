@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Set
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import THIS, Call, Member, Name
 
@@ -12,7 +12,7 @@ from ecm_extract.infer.places import ALL_FIELDS
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.arguments import bind
-from ecm_extract.link.running.changed_parameters import ChangedParameters
+from ecm_extract.link.running.changed_parameters import MAX_FIELDS, ChangedParameters
 from ecm_extract.link.running.env import Env, Instance, invocation_of
 from ecm_extract.link.running.given_itself import GivenItself
 from ecm_extract.link.running.object_states import is_own
@@ -21,9 +21,6 @@ from ecm_extract.link.running.seen_from_outside import leaves_members
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
-
-MAX_FIELDS: Final = 16
-"""Fields of a member that are told apart; a method that changes more changes the member."""
 
 
 class MethodEffects:

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
+import msgspec
 from ecm_parsers.source.expr import THIS, Call, Expr
 
 from ecm_extract.infer.held import MAX_WAYS, Held, State
 from ecm_extract.infer.places import owners
 from ecm_extract.link.code.own import is_super
+from ecm_extract.link.code.pointed import given_to_pointed, pointed
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
@@ -181,9 +183,11 @@ class ObjectStates:
         return self.constructor(held.expr, held.env)
 
     def constructor(self, call: Call, env: Env) -> Env | None:
-        """Return the beginning of the constructor that a call runs; None of other calls."""
+        """Return the beginning of the constructor that a call runs, or of what it makes behind a pointer; else None."""
         made = invocation_of(call, env)
-        cls = self.folder.objects.class_written(made.path.replace(".", "::"), env) if made.receiver is None else None
+        written = pointed(call) or (made.path.replace(".", "::") if made.receiver is None else "")
+        made = msgspec.structs.replace(made, args=given_to_pointed(made.last, made.args))
+        cls = self.folder.objects.class_written(written, env) if written else None
         maker = self.folder.objects.constructor(cls, len(made.args)) if cls is not None else None
         if cls is None or maker is None or not maker.fact.body:
             return None

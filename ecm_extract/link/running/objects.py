@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.code.calls import Invocation, dotted_name
-from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
+from ecm_extract.link.code.containers import (
+    ELEMENT_METHODS,
+    PAIR,
+    element_type,
+    is_container,
+)
 from ecm_extract.link.code.overloads import fitting, is_countable
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.pointed import pointed as pointed_class
-from ecm_extract.link.code.spelling import is_pointer, last_name, plain, pointee, template_arguments
+from ecm_extract.link.code.spelling import by_value, is_pointer, last_name, plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.arguments import bind
@@ -22,6 +27,7 @@ from ecm_extract.link.running.early_binding import early_bound
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
 from ecm_extract.link.running.named_classes import class_asked
+from ecm_extract.link.running.pair_types import type_in_pair
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.shipped import shipped_names
 
@@ -84,18 +90,24 @@ class Objects:
         found = (self.program.class_named(name, base.file, base.qualified) for base in naming)
         return next((each for each in found if each is not None), None)
 
+    def is_value(self, written: str, env: Env) -> bool:
+        """Tell whether a type as written, or what it stands for, is that of an object and of no pointer to one."""
+        alias = self.program.alias(plain(written), env.func.file, env.scope) if written else ""
+        return by_value(written) and by_value(alias or written)
+
     def type_of(self, expr: Expr, env: Env) -> str:
         """Return the type of an object as written, empty when the tree does not show it."""
         if env.depth > MAX_DEPTH:
             return ""
         if isinstance(expr, Name):
-            known = self.scope.declared_type(expr.id, env) or self._assigned_type(expr.id, env)
+            known = self.scope.declared_type(expr.id, env) or self.assigned_type(expr.id, env)
             return known or self.file_scope.type_of(expr.id, env)
         if is_own_member(expr):
             cls = env.this or env.func.cls
             return self.scope.member_type(expr.name, cls) or self._member_assigned_type(expr.name, cls, env)
         if isinstance(expr, Member):
-            return self.scope.member_type(expr.name, self.class_of(expr.base, env.before(env.at)))
+            part = type_in_pair(expr, env.before(env.at), self) if expr.name in PAIR else ""
+            return part or self.scope.member_type(expr.name, self.class_of(expr.base, env.before(env.at)))
         if isinstance(expr, Call):
             return self._made_type(expr, env)
         if isinstance(expr, Op) and expr.op in {"&", "?:"}:
@@ -104,8 +116,8 @@ class Objects:
             return element_type(self.type_of(expr.operands[0], env.before(env.at)))
         return ""
 
-    def _assigned_type(self, name: str, env: Env) -> str:
-        """The type of what a variable is given; a type needs no run, since it does not change on the way."""
+    def assigned_type(self, name: str, env: Env, looped: Callable[[str], str] = element_type) -> str:
+        """Return the type of what a variable is given; it needs no run, since it does not change on the way."""
         holder = self.scope.holding(name, env.func) or env.func
         around = env if holder is env.func else Env(holder, this=env.this, depth=env.depth + 1)
         body, places = holder.fact.body, self.scope.locals_of(holder).get(name, ())
@@ -113,7 +125,7 @@ class Objects:
         for at in reversed(given):
             value = body[at].value
             written = self.type_of(value, around.before(at)) if value is not None else ""
-            return element_type(written) if body[at].kind == "each" else written
+            return looped(written) if body[at].kind == "each" else written
         return self._member_assigned_type(name, env.this or env.func.cls, env)
 
     def _member_assigned_type(self, name: str, cls: Cls | None, env: Env) -> str:
@@ -134,6 +146,8 @@ class Objects:
             last = expr.callee.id.rsplit("::", 1)[-1]
             if pointed_class(expr):
                 return pointed_class(expr)
+            if expr.types and is_container(expr.callee.id):
+                return f"{expr.callee.id}<{', '.join(expr.types)}>"
             if expr.types and is_pointer(last):
                 return expr.types[0]
             if last in HANDLES_OF_NODELETS:

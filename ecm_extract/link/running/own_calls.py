@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Lambda
 
@@ -10,21 +10,19 @@ from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.link.code.handing_on import hands_on
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.env import Env, invocation_of
+from ecm_extract.link.running.lambdas import leaves_object
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
 
 
 class OwnCalls:
-    """Tells of calls whether they stay in the tree; which methods the objects of a class have is worked out once.
+    """Tells of calls whether they stay in the tree; which methods the objects of a class have is worked out once."""
 
-    Args:
-        program: the program.
-        leaves: tells whether a method changes no member of an object of a class.
-    """
-
-    def __init__(self, program: Program, leaves: Callable[[Func, Cls], bool]) -> None:
-        self.program = program
-        self._leaves = leaves
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self.program = folder.program
         self._methods: dict[Cls, frozenset[str]] = {}
         self._known: dict[tuple[Func, int], tuple[Call, ...]] = {}
         self._reaching: dict[tuple[Func, int, Cls | None, Call], bool] = {}
@@ -69,6 +67,7 @@ class OwnCalls:
             call,
             lambda name: self._may_change(name, env),
             lambda name: name in changing or bool(self.program.seen_functions(name, file)),
+            lambda made: leaves_object(made, env, self.folder),
         )
 
     def _may_change(self, name: str, env: Env) -> bool:
@@ -78,7 +77,7 @@ class OwnCalls:
             return False
         lineage = (*self.program.ancestry(cls), *self.program.derived(cls))
         named = [each for entry in lineage for each in entry.methods if each.fact.name == name and each.fact.body]
-        return not named or not all(self._leaves(each, cls) for each in named)
+        return not named or not all(self.folder.methods.leaves(each, cls) for each in named)
 
     def _is_class(self, name: str, env: Env) -> bool:
         cls = env.this or env.func.cls
