@@ -144,6 +144,8 @@ class Effects:
         if not (passed or named or within or led) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
+        if target is None and isinstance(callee, Member) and last in self.calls.fluent:
+            return  # which copies what it is given
         if target is None and last in self.calls.reading:
             yield from self._by_calling(call, at) if self.python and last in self.calls.calling else ()
             return

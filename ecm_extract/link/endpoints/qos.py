@@ -20,10 +20,10 @@ from ecm_extract.link.endpoints.qos_picked import PRESETS, PickedProfiles
 from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, preset_of, presets
 from ecm_extract.link.endpoints.qos_values import BY_KEY, milliseconds, policy_of_number
 from ecm_extract.link.endpoints.qos_variables import QosVariables
-from ecm_extract.link.endpoints.qos_words import MAX_DEPTH, QosWords
+from ecm_extract.link.endpoints.qos_words import QosWords
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.running.env import Bound, Env, invocation_of
+from ecm_extract.link.running.env import Env, invocation_of
 
 _FLAGS: dict[str, tuple[str, str]] = {
     "reliable": ("reliability", "reliable"),
@@ -48,6 +48,8 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
     "value",
     "get",
 }
+MAX_DEPTH = 12
+"""Nesting of evaluations."""
 _WITHOUT_DEPTH = frozenset({"keep_all", "system_default"})
 
 
@@ -59,8 +61,8 @@ class QosReader:
         self.variables = QosVariables(folder, self)
         self.picked = PickedProfiles(folder)
         self.made = QosMade(folder, self)
-        self.own = OwnProfiles(folder, self, self.made)
         self.words = QosWords(folder, self.picked)
+        self.own = OwnProfiles(folder, self, self.made)
 
     def read(self, expr: Expr | None, env: Env) -> Qos:
         """Return the profile of a ROS 2 endpoint; without an expression the default one."""
@@ -169,8 +171,8 @@ class QosReader:
         own = self.own.of_call(expr, env, level)
         if own is not None:
             return own
-        if isinstance(callee, Member) and name in {"get", BY_KEY} and expr.args:
-            return self._by_key(callee, expr, env, level)
+        if name == BY_KEY and expr.args:
+            name = f"{PRESETS}.{self.folder.fold(expr.args[0], env)[0].text.upper()}"
         found = presets().get(name)
         if found is not None:
             return {**found[1], **self.made.queue(expr.args, env, level + 1), "profile": found[0]}
@@ -183,17 +185,6 @@ class QosReader:
     def _path(self, call: Call, env: Env) -> str:
         """What a function of Python is called in the module that has it."""
         return self.folder.program.canonical(dotted_name(call.callee), env.func.file)
-
-    def _by_key(self, callee: Member, expr: Call, env: Env, level: int) -> dict[str, Any]:
-        """`TABLE.get("key", default)`, or a preset of rclpy by its short name."""
-        if callee.name == BY_KEY:
-            found = presets().get(f"{PRESETS}.{self.folder.fold(expr.args[0], env)[0].text.upper()}")
-            return {**found[1], "profile": found[0]} if found is not None else {**UNSEEN}
-        each = self.folder.tables.element_or(callee.base, expr.args, env)
-        return self._element(each, level) if each is not None else self._function(expr, env, level)
-
-    def _element(self, each: Bound, level: int) -> dict[str, Any]:
-        return self.policies(each.expr, each.env.deeper(each.env.depth + 1), level + 1)
 
     def _method(self, callee: Member, expr: Call, env: Env, level: int) -> dict[str, Any]:
         """A setter on a profile, or a method that returns a profile or a number."""
