@@ -28,6 +28,7 @@ from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.infer.targets import Targets
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import calls_in, children
 
 if TYPE_CHECKING:
@@ -57,6 +58,9 @@ class Effects:
 
     Args:
         func: the function. own: its names. targets: who resolves calls.
+
+    Attributes:
+        base: the key of what an object of C++ has of its first base; empty for none.
     """
 
     def __init__(self, func: Func, own: Set[str], targets: Targets) -> None:
@@ -66,6 +70,8 @@ class Effects:
         self.python = func.file.language == "python"
         self.member = func.cls is not None and not self.python
         self.calls = calls_of(func.file.language)
+        bases = func.cls.fact.bases if self.member and func.cls is not None else ()
+        self.base = f".{last_name(bases[0])}" if bases else ""
         self._known: dict[int, tuple[Effect, ...]] = {}
         self._members: dict[str, bool] = {}
 
@@ -131,6 +137,7 @@ class Effects:
             return
         if self.python and callee == _SETATTR and call.args:
             yield Effect("lost", self.key(Member(call.args[0], ALL_FIELDS)), call)
+        yield from self._set(call)
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
@@ -144,9 +151,8 @@ class Effects:
         if not (passed or named or within or led) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
-        if target is None and isinstance(callee, Member) and last in self.calls.fluent:
-            return  # which copies what it is given
-        if target is None and last in self.calls.reading:
+        copies = isinstance(callee, Member) and last in self.calls.fluent
+        if target is None and (copies or last in self.calls.reading):
             yield from self._by_calling(call, at) if self.python and last in self.calls.calling else ()
             return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
@@ -196,8 +202,6 @@ class Effects:
         yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
     def _on_receiver(self, call: Call, callee: Member) -> Iterator[Effect]:
-        if callee.name in self.calls.fluent and (root := self.key(callee.base) or self.root(callee.base)):
-            yield Effect("changed" if self._is_handed_back(callee.base) else "lost", root, call)
         if callee.name not in self.calls.changing:
             return
         key = self.key(callee.base)
@@ -207,11 +211,18 @@ class Effects:
         elif not key and (root := self.root(callee.base)):
             yield Effect("lost", root, call)
 
-    def _is_handed_back(self, expr: Expr) -> bool:
-        """Whether an expression is a variable, behind nothing but methods that give it back."""
+    def _set(self, call: Call) -> Iterator[Effect]:
+        """What a setter changes that gives back its object: a variable, or the object at hand as what its base is."""
+        expr: Expr = call
         while isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name in self.calls.fluent:
             expr = expr.callee.base
-        return bool(self.key(expr))
+        if isinstance(expr, Call) and isinstance(expr.callee, Name) and expr.callee.id in self.calls.fluent:
+            expr = THIS
+        elif expr is call:
+            return
+        key = self.base if expr == THIS else self.key(expr)
+        if root := key or self.root(expr):
+            yield Effect("changed" if key else "lost", root, call)
 
     def _passes(self, arg: Expr) -> bool:
         """Whether an argument is a variable, or leads into one."""

@@ -62,7 +62,7 @@ class QosReader:
         self.picked = PickedProfiles(folder)
         self.made = QosMade(folder, self)
         self.words = QosWords(folder, self.picked)
-        self.own = OwnProfiles(folder, self, self.made)
+        self.own = OwnProfiles(folder, self.variables, self.made)
 
     def read(self, expr: Expr | None, env: Env) -> Qos:
         """Return the profile of a ROS 2 endpoint; without an expression the default one."""
@@ -172,7 +172,8 @@ class QosReader:
         if own is not None:
             return own
         if name == BY_KEY and expr.args:
-            name = f"{PRESETS}.{self.folder.fold(expr.args[0], env)[0].text.upper()}"
+            named = presets().get(f"{PRESETS}.{self.folder.fold(expr.args[0], env)[0].text.upper()}")
+            return {**named[1], "profile": named[0]} if named is not None else {**UNSEEN}
         found = presets().get(name)
         if found is not None:
             return {**found[1], **self.made.queue(expr.args, env, level + 1), "profile": found[0]}
@@ -241,12 +242,6 @@ class QosReader:
         left = self.variables.left_by_module(whole, constant[1], env, level)
         place = self.folder.names.stated_at(*constant, env)
         return left or begun | self.policies(constant[0].value, place, level + 1)
-
-    def chain(self, expr: Expr, env: Env) -> dict[str, Any]:
-        """Return what setters set, one after the other."""
-        if not isinstance(expr, Call) or not isinstance(expr.callee, Member):
-            return {}
-        return {**self.chain(expr.callee.base, env), **self.set_by(expr, env)}
 
     def _function(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
         """What a function of the tree gives back: at each return that is reached as long as nobody sets a parameter."""

@@ -12,6 +12,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.places import ALL_FIELDS
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
@@ -37,9 +38,6 @@ class Profiles(Protocol):
 
     def policies(self, expr: Expr, env: Env, level: int) -> Policies:
         """Return what an expression sets; `level` is the nesting of evaluations."""
-
-    def chain(self, expr: Expr, env: Env) -> Policies:
-        """Return what setters set, one after the other."""
 
     def set_by(self, expr: Call, env: Env) -> Policies:
         """Return what one setter sets."""
@@ -74,6 +72,24 @@ class QosVariables:
         if not found or None in found:
             return self._around(expr, key, env, level)
         return agreed([policies for policies in found if policies is not None])
+
+    def left_of_base(self, end: State, env: Env, level: int) -> Policies:
+        """Return what a constructor of C++ leaves the base of its object with, as which it is a profile."""
+        key = self.folder.flow.effects(env.func).base
+        found = self._any_of(end.holds.get(key) or (Held("given", key),), env, level)
+        return dict(UNSEEN) if found is None else found
+
+    def _base_begun(self, held: Held, env: Env, level: int) -> Policies | None:
+        """What the base of an object is where a method begins: what its caller had, or what makes it by itself."""
+        if not env.func.is_constructor or env.func.cls is None:
+            entered = self.folder.states.entered(held.name, env)
+            return self._any_of((entered,), env, level) if entered is not None else None
+        return self.profiles.policies(Call(Name(env.func.cls.fact.bases[0]), ()), env.entry(), level + 1)
+
+    def with_fields(self, whole: Policies, end: State) -> Policies:
+        """Return a profile of Python with what its constructor gives the fields of its object."""
+        fields = [key for key in end.holds.within("") if _is_member(key)]
+        return dict(UNSEEN) if f".{ALL_FIELDS}" in fields else self._with_parts(whole, fields, end)
 
     def is_own(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether a name is a variable of the function at hand, which hides what stands outside of it."""
@@ -160,13 +176,21 @@ class QosVariables:
             return self._any_of(left[0], left[1].deeper(env.depth + 1), level + 1) if left is not None else None
         if held.how == "out":
             return self._handed_out(held, inner, level)
-        if held.how == "given" and held.name in inner.func.given:
-            return self._passed(held.name, inner, level)
-        cls = inner.this or inner.func.cls
-        if held.how in {"given", "shared"} and _is_member(held.name) and cls is not None:
-            begun = self._as_begun(held.name[1:], cls, inner, level) if held.how == "given" else None
-            return begun if begun is not None else self._of_member(held.name, cls, inner, level)
+        if held.how in {"given", "shared"}:
+            return self._left_alone(held, inner, level)
         return dict(UNSEEN) if held.how in {"lost", "stored", "read"} else None
+
+    def _left_alone(self, held: Held, env: Env, level: int) -> Policies | None:
+        """What a variable is that the function at hand has given nothing yet."""
+        first, cls = held.how == "given", env.this or env.func.cls
+        if first and held.name in env.func.given:
+            return self._passed(held.name, env, level)
+        if first and held.name == self.folder.flow.effects(env.func).base:
+            return self._base_begun(held, env, level)
+        if cls is None or not _is_member(held.name):
+            return None
+        begun = self._as_begun(held.name[1:], cls, env, level) if first else None
+        return begun if begun is not None else self._of_member(held.name, cls, env, level)
 
     def _handed_out(self, held: Held, env: Env, level: int) -> Policies:
         """What a function makes of a profile that it is handed, as a whole or field by field."""

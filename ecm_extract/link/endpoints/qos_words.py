@@ -37,7 +37,7 @@ class QosWords:
         if isinstance(value, Op) and value.op == "?:":
             return [Bound(side, env) for side in self.picked.likely_side(value, env)]
         if isinstance(value, Name | Member):
-            bound = self._handed(value, env)
+            bound = self._handed(value, env) if isinstance(value, Name) else None
             if bound is not None:
                 return [bound]
             helds = [held for ways in self.folder.flow.ways(value, env, likely=True) for held in ways]
@@ -46,16 +46,17 @@ class QosWords:
         element = self.picked.element(value, env)
         return [element] if element is not None else []
 
-    def _handed(self, value: Expr, env: Env) -> Bound | None:
+    def _handed(self, value: Name, env: Env) -> Bound | None:
         """The argument of a parameter that the function leaves alone."""
-        given = value.id if isinstance(value, Name) and value.id not in self.folder.flow.outline(env.func).changes else ""
+        given = (
+            value.id if isinstance(value, Name) and value.id not in self.folder.flow.outline(env.func).changes else ""
+        )
         return self.folder.names.argument(given, env)
 
 
 def _named(value: Value) -> str:
-    """The policy that a constant of a client library is, which begins with a capital in each of them."""
+    """The policy that a constant of a client library is."""
     if isinstance(value.data, Enumerator):
         return policy_called(value.data.constant.name)
     only = value.parts[0] if len(value.parts) == 1 else ""
-    named = only.label if isinstance(only, Hole) and only.kind == "outside" else ""
-    return policy_called(named) if named[:1].isupper() else ""
+    return policy_called(only.label) if isinstance(only, Hole) and only.kind == "outside" else ""

@@ -68,7 +68,7 @@ class NameFolder:
         return first or self.around(name, env) or self.unseen(Name(name), env)
 
     def unseen(self, expr: Name | Member, env: Env) -> tuple[Value, ...]:
-        """A constant of a library, where nothing of the tree is called so; what is of the tree is unknown."""
+        """A constant of a library, where nothing of the tree is called so; these begin with a capital."""
         name, own = dotted_name(expr), self.folder.flow.effects(env.func).own
         root = name.partition(".")[0]
         cls = env.this or env.func.cls
@@ -76,7 +76,7 @@ class NameFolder:
         is_own = root in {"", "self", *own} or any(root in each for each in fields)
         stated = is_own or self.folder.program.constant_named(root, env.func.file, env.scope)
         last = expr.name if isinstance(expr, Member) else last_name(expr.id)
-        return (unknown(last),) if stated else (outside(last),)
+        return (unknown(last),) if stated or not last[:1].isupper() else (outside(last),)
 
     def is_fresh(self, env: Env) -> bool:
         """Tell whether a place is one on which no function of the tree was called before, in every state of it."""
