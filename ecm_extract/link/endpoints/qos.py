@@ -14,6 +14,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member,
 
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.endpoints.qos_changed import ChangedProfiles
 from ecm_extract.link.endpoints.qos_made import PROFILE, QUEUE, QUEUE_OF, QosMade
 from ecm_extract.link.endpoints.qos_own import OwnProfiles
 from ecm_extract.link.endpoints.qos_picked import PRESETS, PickedProfiles
@@ -59,6 +60,7 @@ class QosReader:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.variables = QosVariables(folder, self)
+        self.changed = ChangedProfiles(folder)
         self.picked = PickedProfiles(folder)
         self.made = QosMade(folder, self)
         self.words = QosWords(folder, self.picked)
@@ -103,7 +105,7 @@ class QosReader:
             return {"history": "keep_last", "depth": truncated(expr.value)}
         listed = self.picked.element(expr, env)
         if listed is not None:
-            changed = self.variables.is_changed_by_other_name(expr, env)
+            changed = self.changed.by_other_name(expr, env)
             return {**UNSEEN} if changed else self.policies(listed.expr, listed.env.deeper(env.depth + 1), level + 1)
         if isinstance(expr, Call):
             return self._call(expr, env, level)
@@ -235,7 +237,7 @@ class QosReader:
         begun = preset_of(constant[0].type) if constant is not None else {}
         if constant is None or constant[0].value is None:
             return begun or self._unseen(expr, env)
-        if self.variables.is_changed_elsewhere(expr, *constant, env):
+        if self.changed.elsewhere(expr, *constant, env):
             return {**UNSEEN}
         scope, own = last_name(constant[0].scope), constant[0].name
         whole = Member(Name(scope), own) if scope else Name(own)

@@ -6,16 +6,12 @@ from collections.abc import Iterable, Set
 from typing import TYPE_CHECKING, Any, Protocol
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name
-from ecm_parsers.source.facts import Constant as Variable
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.held import Held, State
-from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import ALL_FIELDS
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
-from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions, last_of
 from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, preset_of
@@ -25,8 +21,6 @@ from ecm_extract.link.running.env import Env
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
-_FIXED = frozenset({"const", "constexpr"})
-"""Traits of variables of C++ that nobody changes."""
 _REMADE = "emplace"
 """The method of an optional that makes what it holds."""
 Policies = dict[str, Any]
@@ -310,35 +304,12 @@ class QosVariables:
         place = self.folder.names.at_class(owner, cls, env)
         return left or self.profiles.policies(field.default, place, level + 1)
 
-    def is_changed_elsewhere(self, expr: Name | Member, variable: Variable, file: File, env: Env) -> bool:
-        """Tell whether functions change a profile, or fields of it, that a module or a namespace has."""
-        if file.language == "cpp":
-            fixed = not _FIXED.isdisjoint(variable.traits) and not variable.type.endswith(("*", "&"))
-            return not fixed and bool(self.folder.outside.changers(dotted_name(expr).replace(".", "::"), env.func))
-        own = f"{last_name(variable.scope)}.{variable.name}" if variable.scope else variable.name
-        outlines = (self.folder.flow.outline(func) for func in self.folder.program.functions_in(file))
-        return any(_changes(outline, own) for outline in outlines if not outline.is_module)
-
-    def is_changed_by_other_name(self, element: Expr, env: Env) -> bool:
-        """Tell whether a function of Python changes fields of what it took out of the table that an element is of."""
-        outline = self.folder.flow.outline(env.func)
-        root = outline.effects.root(element.callee if isinstance(element, Call) else element)
-        fields = {key.rpartition(".")[0] for key in outline.changes if "." in key[1:]} if outline.python else set()
-        named = (each for each in env.func.fact.body if fields.intersection(outline.bound_keys(each.target)))
-        return any(outline.effects.key(one) == root for each in named for one in shared_names(each.value))
-
     def left_by_module(self, expr: Name | Member, file: File, env: Env, level: int) -> Policies | None:
         """Return what the body of a module of Python leaves a profile of it with, of which it changes fields."""
         place = self.folder.names.module_end(file, env) if file.language == "python" else None
         key = dotted_name(expr)
         changed = self.folder.flow.outline(place.func).changes if place is not None else ()
         return self.at(expr, place, level) if place and any(each.startswith(f"{key}.") for each in changed) else None
-
-
-def _changes(outline: Outline, name: str) -> bool:
-    """Tell whether a function changes a variable outside of it, or a field of one."""
-    own = name.partition(".")[0] in outline.effects.own and name not in outline.func.fact.shared
-    return not own and any(f"{key}.".startswith(f"{name}.") for key in outline.changes)
 
 
 def _unknown(field: str) -> Policies:
