@@ -140,11 +140,14 @@ class QosReader:
 
     def _depth_alone(self, expr: Expr, env: Env) -> dict[str, Any] | None:
         """What a number says, or a variable of which only is known that it is one; None of everything else."""
+        returned = _returned(expr) if isinstance(expr, Call) else ""
+        kind = plain_type(returned or self.folder.objects.type_of(expr, env))
+        written = declared_type(kind)
+        if kind not in {"", "auto"} and written is None:
+            return None  # an object that is made of a number
         number = self.number(expr, env) if len(self.folder.fold(expr, env)) == 1 else None
         if number is not None:
             return {"history": "keep_last", "depth": number}
-        returned = _returned(expr) if isinstance(expr, Call) else ""
-        written = declared_type(plain_type(returned or self.folder.objects.type_of(expr, env)))
         return {"history": "keep_last", "depth": None} if written == "integer" else None
 
     def _preset(self, expr: Expr, env: Env, level: int) -> dict[str, Any] | None:

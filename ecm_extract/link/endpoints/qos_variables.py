@@ -163,7 +163,10 @@ class QosVariables:
                 return self.profiles.policies(Items(held.expr.args), inner, level + 1)
             before = self._any_of(held.before, env, level)
             return None if before is None else before | self.profiles.set_by(held.expr, inner)
-        if held.how in {"looped", "handed", "reached", "entered"}:
+        if held.how == "handed":  # a function may change it; what is no profile stays none
+            before = self._any_of(held.before or (Held("given", held.name),), inner, level)
+            return None if before is None else dict(UNSEEN)
+        if held.how in {"looped", "reached", "entered"}:
             return self._any_of(held.before, inner, level)
         if held.how == "after":
             left = self.folder.behind_calls.left(held, inner)

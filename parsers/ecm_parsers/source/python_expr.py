@@ -149,19 +149,29 @@ def _piece(content: bytes, prefix: str) -> Text:
 
 def _interpolation(scan: Scan, node: Node) -> list[Expr]:
     value: Expr = NULL
-    spec = ""
+    spec: list[Expr] = []
     shown: list[Expr] = []
     for child in node.children[1:-1]:
         kind = child.type
         if kind == "type_conversion":
-            spec = scan.text(child)
+            spec.append(Text(scan.text(child)))
         elif kind == "format_specifier":
-            spec += scan.text(child)[1:]
+            spec += _spec(scan, child)
         elif kind == "=":
             shown = [Text(scan.data[node.start_byte + 1 : child.end_byte].decode("utf-8", "replace"))]
         elif child.is_named and kind not in _SKIPPED:
             value = scan.expr(child)
-    return [*shown, Op("format", (value, Text(spec))) if spec else value]
+    return [*shown, Op("format", (value, joined(spec))) if spec else value]
+
+
+def _spec(scan: Scan, node: Node) -> list[Expr]:
+    """What tells how a value is written, with the values that stand in it: `>{width}.{digits}f`."""
+    found: list[Expr] = []
+    start = node.start_byte + 1
+    for child in [each for each in node.children if each.is_named]:
+        found += [Text(scan.data[start : child.start_byte].decode("utf-8", "replace")), *map(scan.expr, parts(child))]
+        start = child.end_byte
+    return [*found, Text(scan.data[start : node.end_byte].decode("utf-8", "replace"))]
 
 
 def _concatenated(scan: Scan, node: Node) -> Expr:
