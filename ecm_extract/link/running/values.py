@@ -328,4 +328,4 @@ def _either(one: Value, other: Value) -> Value:
 
 
 def _label(text: str) -> str:
-    return text.strip("_").rsplit("::", 1)[-1].removeprefix("m_") or "value"
+    return text.strip("_").rsplit("::", 1)[-1].removeprefix("m_").partition("@")[0] or "value"

@@ -216,7 +216,20 @@ def _import_from(scan: Scan, node: Node) -> None:
     origin = _compact(scan, module)
     for child in names:
         name, alias = ("*", "") if child.type == "wildcard_import" else _imported(scan, child)
-        scan.imports.append(Import(origin, name, alias, child.start_point[0] + 1))
+        line = child.start_point[0] + 1
+        scan.imports.append(Import(origin, name, _bound_here(scan, name, alias, line), line))
+
+
+def _bound_here(scan: Scan, name: str, alias: str, line: int) -> str:
+    """The alias of an import: one of its own where a function hides a variable of the module by it."""
+    bound = alias or name
+    hides = scan.frame.place == "function" and any(each.name == bound and not each.scope for each in scan.constants)
+    if not hides:
+        return alias
+    own = f"{bound}@{line}"
+    scan.frame.names = dict(scan.frame.names)  # methods beside it mean what they meant
+    scan.names_again(bound, Name(own))
+    return own
 
 
 def _import_future(scan: Scan, node: Node) -> None:

@@ -147,13 +147,12 @@ class Scan:
             names[raw] = found
         return found
 
-    def names_again(self, name: str, meant: Member) -> Member:
-        """Let a name mean something else from here on, and return that."""
+    def names_again(self, name: str, meant: Expr) -> None:
+        """Let a name mean something else from here on."""
         raw, names = name.encode(), self.frame.names
         for dotted in [each for each in names if each.startswith(raw + b".")]:
             del names[dotted]
         names[raw] = meant
-        return meant
 
     def names_of(self, receiver: bytes) -> dict[bytes, Expr]:
         """Names seen in methods whose first parameter is `receiver`."""
