@@ -128,14 +128,18 @@ class Assigning:
                     self.memory.sharing.refer(part, self.frame.effects.root(callee.base))
 
     def _refer_by_pointer(self, let: Statement, state: State) -> None:
-        """`auto b = a;` of a pointer to an object that the function makes: what one points to, the other does."""
+        """`auto b = a;` of a pointer: what one points to, the other does, of raw ones whoever made the object."""
         key, other = self.frame.effects.key(let.target), self.frame.effects.key(let.value)
-        if self.frame.python or let.kind != "let" or not key or not other:
+        if self.frame.python or let.kind not in {"let", "set"} or not key or not other or isinstance(let.value, Op):
             return
-        made = all(map(makes_pointer, state.holds.get(other) or (Held("lost", other),)))
+        written = self.frame.env.func.written_types
+        raw = written.get(key, "").endswith("*") or written.get(other, "").endswith("*")
+        made = let.kind == "let" and all(map(makes_pointer, state.holds.get(other) or (Held("lost", other),)))
         once = all(self.frame.outline.changes.get(each, 0) <= 1 for each in (key, other))
-        if made and once:
+        if once and (made or raw):
             self.memory.sharing.refer(key, other, other)
+        elif raw:
+            self.memory.sharing.refer(key, other)
 
     def bind(self, target: Expr | None, held: Held, state: State) -> State:
         """Give a variable, a field, an element or several variables what a statement gives them."""

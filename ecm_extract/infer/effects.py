@@ -82,7 +82,7 @@ class Effects:
 
     def reached(self, expr: Expr | None) -> Expr | None:
         """Return what is reached by it: `box.topic` for `box.inner()`, `box.topic.name` for `box.inner().name`."""
-        if self.python or not isinstance(expr, Call | Member):
+        if not isinstance(expr, Call | Member):
             return expr
         if isinstance(expr, Call):
             shown = self.targets.shown_part(expr, self.func)

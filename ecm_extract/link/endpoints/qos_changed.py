@@ -10,9 +10,9 @@ from ecm_parsers.source.facts import Constant
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.outline import Outline
 from ecm_extract.link.code.calls import dotted_name
-from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import File
 from ecm_extract.link.running.env import Env
+from ecm_extract.resolve.cpp_constants import Stated
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -32,9 +32,10 @@ class ChangedProfiles:
         if file.language == "cpp":
             fixed = not _FIXED.isdisjoint(variable.traits) and not variable.type.endswith(("*", "&"))
             return not fixed and bool(self.folder.outside.changers(dotted_name(expr).replace(".", "::"), env.func))
-        own = f"{last_name(variable.scope)}.{variable.name}" if variable.scope else variable.name
+        if self.folder.names.shared.is_changed(Stated(file, variable)):
+            return True
         outlines = (self.folder.flow.outline(func) for func in self.folder.program.functions_in(file))
-        return any(_changes(outline, own) for outline in outlines if not outline.is_module)
+        return not variable.scope and any(_changes(each, variable.name) for each in outlines if not each.is_module)
 
     def by_other_name(self, element: Expr, env: Env) -> bool:
         """Tell whether a function of Python changes fields of what it took out of the table that an element is of."""
@@ -46,6 +47,6 @@ class ChangedProfiles:
 
 
 def _changes(outline: Outline, name: str) -> bool:
-    """Tell whether a function changes a variable outside of it, or a field of one."""
-    own = name.partition(".")[0] in outline.effects.own and name not in outline.func.fact.shared
+    """Tell whether a function changes a variable of its module, or a field of one."""
+    own = name in outline.effects.own and name not in outline.func.fact.shared
     return not own and any(f"{key}.".startswith(f"{name}.") for key in outline.changes)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
@@ -40,12 +41,12 @@ class SharedVariables:
         name, outline = stated.constant.name, self.folder.flow.outline(func)
         changed = outline.given if is_plain(stated.constant.value) else outline.changes  # who gets a text leaves it
         own = _defined(func, stated)
-        named = (key for key in changed if key.rpartition(".")[2] == name and "." in key)
-        roots = [key.rpartition(".")[0] for key in named if key != own or outline.changes[key] > 1]
+        roots = [root for key in changed if key != own or outline.changes[key] > 1 for root in _before(name, key)]
         if any(self._leads_to(root, func, stated) for root in roots) or _gives_its_class(func, stated):
             return True
         is_local = name in outline.effects.own and func.fact.name != "<module>" and name not in func.fact.shared
-        return name in changed and not is_local and self._means(name, func, stated)
+        changes = any(key == name or key.startswith(f"{name}.") for key in changed)
+        return changes and not is_local and self._means(name, func, stated)
 
     def _leads_to(self, root: str, func: Func, stated: Stated) -> bool:
         """Whether what stands before the dot may have the variable: its module, its class, or an object of that."""
@@ -71,6 +72,12 @@ class SharedVariables:
                 for name in self.folder.shifting.names(func):
                     self._naming.setdefault(name, []).append(func)
         return self._naming
+
+
+def _before(name: str, key: str) -> Iterator[str]:
+    """Yield what stands before a name behind a dot: of a variable, or of a field of it."""
+    parts = key.split(".")
+    return (".".join(parts[:at]) for at, part in enumerate(parts) if at and part == name)
 
 
 def _gives_its_class(func: Func, stated: Stated) -> bool:
