@@ -28,6 +28,7 @@ from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.infer.targets import Targets
+from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import calls_in, children
 
@@ -101,9 +102,9 @@ class Effects:
         for at, statement in enumerate(self.func.fact.body):
             if any(is_within(effect.key, name) for effect in self.of(at)):
                 return True
-            key = self.key(statement.target)
-            within = key != name and is_within(self.root(statement.target), name)
-            grown = self.key(statement.target) == name and statement.type.endswith("=")
+            keys = [(self.key(target), self.root(target)) for target in _each(statement.target)]
+            within = any(key != name and is_within(root, name) for key, root in keys)
+            grown = (name, name) in keys and statement.type.endswith("=")
             own = self.func.is_constructor and self.key(statement.target).startswith(".")  # which has it from then on
             kept = statement.kind in {"set", "return"} and self.key(statement.value) == name and not own
             if within or grown or kept:
@@ -270,6 +271,15 @@ class Effects:
                 yield Effect("lost", root, call)
             elif not pointed:
                 yield Effect("out" if self.key(arg) and not written.endswith("&&") else "lost", root, call, name)
+
+
+def _each(target: Expr | None) -> Iterator[Expr | None]:
+    """The variables that an assignment gives something: each of `a[0], b[0] = pair`."""
+    if not isinstance(target, Items):
+        yield target
+        return
+    for item in target.items:
+        yield from _each(unstarred(item))
 
 
 def _within(arg: Expr) -> Kind:

@@ -165,7 +165,7 @@ class Interpreter:
         if statement.kind == "each":
             self.comprehending.begin(at)
             self.frame.record(at, [state])
-            return state
+            return self.calling.any_times(at, state)
         called = self.comprehending.after(statement, at, state)
         if statement.kind == "do" and statement.type.startswith("yield"):
             self.frame.run.yields.append((at, state))

@@ -29,6 +29,8 @@ class Looping:
 
     def run(self, loop: Loop, state: State) -> State | None:
         """Run a loop; None when no way leads out of it."""
+        if loop.each >= 0:  # what it is over is made first
+            state = self.calling.after(loop.each, state, self.frame.place(state))
         if loop.each >= 0 and self.frame.follows:
             return self._over(loop, state)
         return self._while(loop, state) if loop.test is not None and self.frame.unrolls else self._blur(loop, state)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
-from ecm_extract.infer.effects import is_plain
+from ecm_extract.infer.effects import is_plain, is_within
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.decorators import is_of_class
 from ecm_extract.link.code.spelling import last_name
@@ -41,7 +41,8 @@ class SharedVariables:
         name, outline = stated.constant.name, self.folder.flow.outline(func)
         changed = outline.given if is_plain(stated.constant.value) else outline.changes  # who gets a text leaves it
         own = _defined(func, stated)
-        roots = [root for key in changed if key != own or outline.changes[key] > 1 for root in _before(name, key)]
+        others = [key for key in changed if not own or not is_within(key, own) or (key == own and outline.changes[key] > 1)]
+        roots = [root for key in others for root in _before(name, key)]
         if any(self._leads_to(root, func, stated) for root in roots) or _gives_its_class(func, stated):
             return True
         is_local = name in outline.effects.own and func.fact.name != "<module>" and name not in func.fact.shared
