@@ -125,14 +125,18 @@ class Memory:
 
         What may be the same object, or an element that is, has a field that nobody knows.
         """
-        keys, perhaps = {key}, set[str]()
+        keys, holders = {key}, set[str]()
+        perhaps: set[str] = set()
         for whole in (*wholes(key), *owners(key)):
             names, part = self.names(whole, state), key.removeprefix(whole)
             keys |= {name + part for name in names}
             if self.frame.python:
-                perhaps |= {name + part for name in self.sharing.holding(names, state)}
+                having = self.sharing.holding(names, state)
+                perhaps |= {name + part for name in having}
+                holders |= {name for name in having - names if name in state.holds}
         unknown = {name: (Held("lost", name),) for name in perhaps - keys}
-        return state.having(unknown).having(dict.fromkeys(keys, (held,)))
+        within = {name: _elements_of(name, state.holds[name]) for name in holders - keys}
+        return state.having(within).having(unknown).having(dict.fromkeys(keys, (held,)))
 
     def exchanged(self, key: str, ways: tuple[Held, ...], state: State) -> State:
         """Give a variable of C++ what another one held; who may be changed any time is not known any more."""
