@@ -19,11 +19,13 @@ from ecm_extract.infer.unpacking import taken, unstarred
 from ecm_extract.link.code.containers import makes_tuple
 from ecm_extract.link.code.numbers import NUMBERS
 from ecm_extract.link.code.spelling import last_name, plain
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import calls_in, children
 
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Bound, Env
 
+_REFERRING: Final = Name("std::ref")
+"""en.cppreference.com, std::ref: who has what it gives may change what it is given."""
 _TIE: Final = "tie"
 """en.cppreference.com, std::tie: references to what it is given."""
 
@@ -208,11 +210,14 @@ class Assigning:
 
     def _pointed(self, statement: Statement) -> Set[str]:
         value, effects = statement.value, self.frame.effects
+        referred = {effects.key(each) for each in _referred(value)} & effects.own
+        if referred:
+            return referred
         if is_address(value) and isinstance(value, Op):
             given = value.operands[0]
             key = effects.key(given)
             within = effects.root(given) if isinstance(given, Op) and given.op == "[]" else ""
-            return {key} & effects.own or {within} - {""}
+            return {key} if key.partition(".")[0] in effects.own else {within} - {""}
         pointer, outline = effects.key(statement.target), self.frame.outline
         pointed = set(self._iterated(value)) & effects.own if isinstance(value, Op | Call) else set()
         if statement.type.endswith("*") and isinstance(value, Call) and self._gives_way(value):
@@ -281,6 +286,12 @@ def _parts(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr
     inner = held.how in {"each", "part"}
     for item in target.items:
         yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
+
+
+def _referred(value: Expr | None) -> Iterator[Expr]:
+    """Yield the variables that others get a reference to: `std::bind(f, std::ref(x))`."""
+    calls = calls_in(value) if value is not None else ()
+    return (arg for call in calls if call.callee == _REFERRING for arg in call.args)
 
 
 def _of_maker(value: Expr | None, python: bool) -> Expr | None:

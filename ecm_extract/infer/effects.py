@@ -250,7 +250,9 @@ class Effects:
             elif self.python or not (outside or self._is_constant(root)):
                 yield Effect("handed" if key else _within(arg), root, call)
         elif self.python:
-            if self.targets.changes(target, name):
+            if "generator" in target.fact.traits and not target.fact.decorators:
+                yield Effect("lost", root, call)  # it runs when somebody asks it for something
+            elif self.targets.changes(target, name):
                 yield Effect("out" if key else _within(arg), root, call, name)
         else:
             yield from self._by_reference(call, arg, target, name, root)

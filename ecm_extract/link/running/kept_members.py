@@ -51,11 +51,15 @@ class KeptMembers:
         return member in self._given_away(cls) or self._is_named_outside(member[1:], cls)
 
     def _is_of_shown(self, expr: Member, env: Env) -> bool:
-        """Tell whether others may change a field of an object whose methods give the object itself away."""
-        assigned = self.folder.scope.assigned_outside(expr.name, "python")
-        cls = self.folder.objects.class_of(expr.base, env) if assigned else None
+        """Tell whether others may change a field of an object: its methods give it away, or its class is remade."""
+        if env.func.file.language != "python":
+            return False
+        cls = self.folder.objects.class_of(expr.base, env)
         lineage = self.folder.program.ancestry(cls) if cls is not None else ()
-        return any(self._gives_itself(method) for entry in lineage for method in entry.methods)
+        if any("remade" in entry.fact.traits for entry in lineage):
+            return True
+        assigned = bool(lineage) and bool(self.folder.scope.assigned_outside(expr.name, "python"))
+        return assigned and any(self._gives_itself(method) for entry in lineage for method in entry.methods)
 
     def _gives_itself(self, method: Func) -> bool:
         stored = any(entry.kind == "set" and entry.value == THIS for entry in method.fact.body)

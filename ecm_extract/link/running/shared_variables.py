@@ -41,7 +41,8 @@ class SharedVariables:
         name, outline = stated.constant.name, self.folder.flow.outline(func)
         changed = outline.given if is_plain(stated.constant.value) else outline.changes  # who gets a text leaves it
         own = _defined(func, stated)
-        others = [key for key in changed if not own or not is_within(key, own) or (key == own and outline.changes[key] > 1)]
+        again = bool(own) and outline.changes.get(own, 0) > 1
+        others = [key for key in changed if not own or not is_within(key, own) or (key == own and again)]
         roots = [root for key in others for root in _before(name, key)]
         if any(self._leads_to(root, func, stated) for root in roots) or _gives_its_class(func, stated):
             return True
