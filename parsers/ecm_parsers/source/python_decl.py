@@ -10,10 +10,9 @@ from tree_sitter import Node
 from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name, Opaque
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 from ecm_parsers.source.python_dataclasses import Imported, generated_init
-from ecm_parsers.source.python_expr import parts
 from ecm_parsers.source.python_parameters import parameters
 from ecm_parsers.source.python_remade import is_remade
-from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler
+from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler, parts
 
 _PARTS_OF_CHOICE = 3
 """What `a if condition else b` has."""
