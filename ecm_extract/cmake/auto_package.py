@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final
 
 from ecm_parsers.cmake_facts import Install, InstallKind
@@ -31,16 +31,19 @@ def auto_sources(args: Sequence[str], call: Call, files: BuildFiles) -> list[str
     return [*groups[""], *rest, *unread, *(path for each in found for path in sorted(each or ()))]
 
 
-def installed_by_auto(call: Call, calls: Sequence[Call], files: BuildFiles) -> Iterator[Install]:
+def installed_by_auto(
+    call: Call, calls: Sequence[Call], projects: Mapping[str, str], files: BuildFiles
+) -> Iterator[Install]:
     """Yield the rules of `ament_auto_package([INSTALL_TO_PATH] [INSTALL_TO_SHARE folders...])`.
 
     Args:
         call: of `ament_auto_package`.
         calls: of its file.
+        projects: of the build, by folder.
         files: of the tree.
     """
     groups = split(call.texts, frozenset({"INSTALL_TO_PATH", "INSTALL_TO_SHARE"}))
-    project = _project(calls)
+    project = _project(call, projects)
     if files.is_folder(posixpath.join(call.folder, "include")):
         yield _rule("directory", [call.file("include/")], "include", call)
     yield from _of_targets(_made(_LIBRARY, calls), "lib", call)
@@ -50,9 +53,11 @@ def installed_by_auto(call: Call, calls: Sequence[Call], files: BuildFiles) -> I
         yield _rule("directory", [call.file(folder)], f"share/{project}", call)
 
 
-def installed_by_simple(call: Call, calls: Sequence[Call], files: BuildFiles) -> Iterator[Install]:
+def installed_by_simple(
+    call: Call, calls: Sequence[Call], projects: Mapping[str, str], files: BuildFiles
+) -> Iterator[Install]:
     """Yield the rules of `cs_install()` (catkin_simple): all targets of `cs_add_*`, and folders that are there."""
-    project = _project(calls)
+    project = _project(call, projects)
     yield from _of_targets(_made("cs_add_library", calls), "lib", call)
     yield from _of_targets(_made("cs_add_executable", calls), f"lib/{project}", call)
     if files.is_folder(posixpath.join(call.folder, "include")):
@@ -62,8 +67,17 @@ def installed_by_simple(call: Call, calls: Sequence[Call], files: BuildFiles) ->
             yield _rule("directory", [call.file(f"{folder}/")], f"share/{project}/{folder}", call)
 
 
-def _project(calls: Sequence[Call]) -> str:
-    return next((each.args[0] for each in calls if each.name == "project" and each.args), "${PROJECT_NAME}")
+def projects_of(calls: Iterable[Call]) -> Mapping[str, str]:
+    """Return the names of projects by the folders that begin them."""
+    return {call.folder: call.args[0] for call in calls if call.name == "project" and call.args}
+
+
+def _project(call: Call, projects: Mapping[str, str]) -> str:
+    """The project that a folder belongs to: its own, or the one of the nearest folder around it."""
+    folder = call.folder
+    while folder not in projects and folder not in {"", "."}:
+        folder = posixpath.dirname(folder)
+    return projects.get(folder, "${PROJECT_NAME}")
 
 
 def _made(command: str, calls: Sequence[Call]) -> list[Call]:

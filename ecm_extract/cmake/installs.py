@@ -31,12 +31,15 @@ _INSTALL_WORDS = frozenset(
 )
 
 
-def installs(calls: tuple[Call, ...], targets: Mapping[str, Target], files: BuildFiles) -> Iterator[Install]:
+def installs(
+    calls: tuple[Call, ...], targets: Mapping[str, Target], projects: Mapping[str, str], files: BuildFiles
+) -> Iterator[Install]:
     """Yield what is installed where; targets that go to several folders have a rule for each.
 
     Args:
         calls: of one file.
         targets: of the whole build, by name.
+        projects: of the whole build, by folder.
         files: of the tree.
     """
     for call in calls:
@@ -45,9 +48,9 @@ def installs(calls: tuple[Call, ...], targets: Mapping[str, Target], files: Buil
         elif call.name == "catkin_install_python":
             yield from _each(call, "python", targets)
         elif call.name == "ament_auto_package":
-            yield from installed_by_auto(call, calls, files)
+            yield from installed_by_auto(call, calls, projects, files)
         elif call.name == "cs_install":
-            yield from installed_by_simple(call, calls, files)
+            yield from installed_by_simple(call, calls, projects, files)
 
 
 def _each(call: Call, kind: InstallKind, targets: Mapping[str, Target]) -> Iterator[Install]:

@@ -11,6 +11,7 @@ import msgspec
 from ecm_parsers.cmake_facts import REFUSED, CmakeFile, Command, Option, Subdirectory, Target, Unknown
 
 from ecm_extract.cmake import exports
+from ecm_extract.cmake.auto_package import projects_of
 from ecm_extract.cmake.calls import Call
 from ecm_extract.cmake.foreign import foreign_words
 from ecm_extract.cmake.installs import installs
@@ -30,10 +31,13 @@ def stated(evaluation: Evaluation) -> dict[str, CmakeFile]:
     unread = {path: tuple(each for each in evaluation.unread if each.path == path) for path in calls}
     refused = {path for path, told in evaluation.diagnostics.items() if any(each.code in REFUSED for each in told)}
     by_name = {target.name: target for own in made.values() for target in own}
+    projects = projects_of(evaluation.calls)
     files = {path: _file(tuple(own), made.get(path, ()), unread[path]) for path, own in calls.items()}
     return {
         path: msgspec.structs.replace(
-            file, malformed=path in refused, installs=tuple(installs(tuple(calls[path]), by_name, evaluation.files))
+            file,
+            malformed=path in refused,
+            installs=tuple(installs(tuple(calls[path]), by_name, projects, evaluation.files)),
         )
         for path, file in files.items()
     }

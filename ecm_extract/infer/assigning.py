@@ -19,11 +19,13 @@ from ecm_extract.infer.unpacking import taken, unstarred
 from ecm_extract.link.code.containers import makes_tuple
 from ecm_extract.link.code.numbers import NUMBERS
 from ecm_extract.link.code.spelling import last_name, plain
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import calls_in, children
 
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Bound, Env
 
+_REFERRING: Final = Name("std::ref")
+"""en.cppreference.com, std::ref: who has what it gives may change what it is given."""
 _TIE: Final = "tie"
 """en.cppreference.com, std::tie: references to what it is given."""
 
@@ -128,14 +130,18 @@ class Assigning:
                     self.memory.sharing.refer(part, self.frame.effects.root(callee.base))
 
     def _refer_by_pointer(self, let: Statement, state: State) -> None:
-        """`auto b = a;` of a pointer to an object that the function makes: what one points to, the other does."""
+        """`auto b = a;` of a pointer: what one points to, the other does, of raw ones whoever made the object."""
         key, other = self.frame.effects.key(let.target), self.frame.effects.key(let.value)
-        if self.frame.python or let.kind != "let" or not key or not other:
+        if self.frame.python or let.kind not in {"let", "set"} or not key or not other or isinstance(let.value, Op):
             return
-        made = all(map(makes_pointer, state.holds.get(other) or (Held("lost", other),)))
+        written = self.frame.env.func.written_types
+        raw = written.get(key, "").endswith("*") or written.get(other, "").endswith("*")
+        made = let.kind == "let" and all(map(makes_pointer, state.holds.get(other) or (Held("lost", other),)))
         once = all(self.frame.outline.changes.get(each, 0) <= 1 for each in (key, other))
-        if made and once:
+        if once and (made or raw):
             self.memory.sharing.refer(key, other, other)
+        elif raw:
+            self.memory.sharing.refer(key, other)
 
     def bind(self, target: Expr | None, held: Held, state: State) -> State:
         """Give a variable, a field, an element or several variables what a statement gives them."""
@@ -199,11 +205,14 @@ class Assigning:
 
     def _pointed(self, statement: Statement) -> Set[str]:
         value, effects = statement.value, self.frame.effects
+        referred = {effects.key(each) for each in _referred(value)} & effects.own
+        if referred:
+            return referred
         if is_address(value) and isinstance(value, Op):
             given = value.operands[0]
             key = effects.key(given)
             within = effects.root(given) if isinstance(given, Op) and given.op == "[]" else ""
-            return {key} & effects.own or {within} - {""}
+            return {key} if key.partition(".")[0] in effects.own else {within} - {""}
         pointer, outline = effects.key(statement.target), self.frame.outline
         pointed = set(self._iterated(value)) & effects.own if isinstance(value, Op | Call) else set()
         if statement.type.endswith("*") and isinstance(value, Call) and self._gives_way(value):
@@ -272,6 +281,12 @@ def _parts(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr
     inner = held.how in {"each", "part"}
     for item in target.items:
         yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
+
+
+def _referred(value: Expr | None) -> Iterator[Expr]:
+    """Yield the variables that others get a reference to: `std::bind(f, std::ref(x))`."""
+    calls = calls_in(value) if value is not None else ()
+    return (arg for call in calls if call.callee == _REFERRING for arg in call.args)
 
 
 def _of_maker(value: Expr | None, python: bool) -> Expr | None:

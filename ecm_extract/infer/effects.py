@@ -28,7 +28,9 @@ from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.infer.targets import Targets
+from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import calls_in, children, given_to
 
 if TYPE_CHECKING:
@@ -58,6 +60,9 @@ class Effects:
 
     Args:
         func: the function. own: its names. targets: who resolves calls.
+
+    Attributes:
+        base: the key of what an object of C++ has of its first base; empty for none.
     """
 
     def __init__(self, func: Func, own: Set[str], targets: Targets) -> None:
@@ -67,6 +72,8 @@ class Effects:
         self.python = func.file.language == "python"
         self.member = func.cls is not None and not self.python
         self.calls = calls_of(func.file.language)
+        bases = func.cls.fact.bases if self.member and func.cls is not None else ()
+        self.base = f".{last_name(bases[0])}" if bases else ""
         self._known: dict[int, tuple[Effect, ...]] = {}
         self._members: dict[str, bool] = {}
 
@@ -77,7 +84,7 @@ class Effects:
 
     def reached(self, expr: Expr | None) -> Expr | None:
         """Return what is reached by it: `box.topic` for `box.inner()`, `box.topic.name` for `box.inner().name`."""
-        if self.python or not isinstance(expr, Call | Member):
+        if not isinstance(expr, Call | Member):
             return expr
         if isinstance(expr, Call):
             shown = self.targets.shown_part(expr, self.func)
@@ -96,9 +103,9 @@ class Effects:
         for at, statement in enumerate(self.func.fact.body):
             if any(is_within(effect.key, name) for effect in self.of(at)):
                 return True
-            key = self.key(statement.target)
-            within = key != name and is_within(self.root(statement.target), name)
-            grown = self.key(statement.target) == name and statement.type.endswith("=")
+            keys = [(self.key(target), self.root(target)) for target in _each(statement.target)]
+            within = any(key != name and is_within(root, name) for key, root in keys)
+            grown = (name, name) in keys and statement.type.endswith("=")
             own = self.func.is_constructor and self.key(statement.target).startswith(".")  # which has it from then on
             kept = statement.kind in {"set", "return"} and self.key(statement.value) == name and not own
             if within or grown or kept:
@@ -132,6 +139,7 @@ class Effects:
             return
         if self.python and callee == _SETATTR and call.args:
             yield Effect("lost", self.key(Member(call.args[0], ALL_FIELDS)), call)
+        yield from self._set(call)
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee, at)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
@@ -145,7 +153,8 @@ class Effects:
         if not (passed or named or within or led) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
-        if target is None and last in self.calls.reading:
+        copies = isinstance(callee, Member) and last in self.calls.fluent
+        if target is None and (copies or last in self.calls.reading):
             yield from self._by_calling(call, at) if self.python and last in self.calls.calling else ()
             return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
@@ -196,8 +205,6 @@ class Effects:
         yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
     def _on_receiver(self, call: Call, callee: Member, at: int) -> Iterator[Effect]:
-        if callee.name in self.calls.fluent and (root := self.key(callee.base) or self.root(callee.base)):
-            yield Effect("changed" if self._is_handed_back(callee.base) else "lost", root, call)
         if callee.name not in self.calls.changing:
             if _is_element(callee.base) and self._changes_object(call, at):
                 yield Effect("reached", self.root(callee.base), call)
@@ -214,11 +221,18 @@ class Effects:
         target = self.targets.target(call, self.func, at) if not self.python else None
         return target is not None and target.cls is not None and not self.targets.parameters.leaves_object(target)
 
-    def _is_handed_back(self, expr: Expr) -> bool:
-        """Whether an expression is a variable, behind nothing but methods that give it back."""
+    def _set(self, call: Call) -> Iterator[Effect]:
+        """What a setter changes that gives back its object: a variable, or the object at hand as what its base is."""
+        expr: Expr = call
         while isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name in self.calls.fluent:
             expr = expr.callee.base
-        return bool(self.key(expr))
+        if isinstance(expr, Call) and isinstance(expr.callee, Name) and expr.callee.id in self.calls.fluent:
+            expr = THIS
+        elif expr is call:
+            return
+        key = self.base if expr == THIS else self.key(expr)
+        if root := key or self.root(expr):
+            yield Effect("changed" if key else "lost", root, call)
 
     def _passes(self, arg: Expr) -> bool:
         """Whether an argument is a variable, or leads into one."""
@@ -245,7 +259,9 @@ class Effects:
             elif self.python or not (outside or self._is_constant(root)):
                 yield Effect("handed" if key else _within(arg), root, call)
         elif self.python:
-            if self.targets.parameters.may(target, name):
+            if "generator" in target.fact.traits and not target.fact.decorators:
+                yield Effect("lost", root, call)  # it runs when somebody asks it for something
+            elif self.targets.parameters.may(target, name):
                 yield Effect("out" if key else _within(arg), root, call, name)
         else:
             yield from self._by_reference(call, arg, target, name, root)
@@ -282,6 +298,15 @@ def _is_element(expr: Expr) -> bool:
         expr = expr.base
     callee = expr.callee if isinstance(expr, Call) else None
     return (isinstance(callee, Member) and callee.name in ELEMENT_METHODS) or (isinstance(expr, Op) and expr.op == "[]")
+
+
+def _each(target: Expr | None) -> Iterator[Expr | None]:
+    """The variables that an assignment gives something: each of `a[0], b[0] = pair`."""
+    if not isinstance(target, Items):
+        yield target
+        return
+    for item in target.items:
+        yield from _each(unstarred(item))
 
 
 def _within(arg: Expr) -> Kind:

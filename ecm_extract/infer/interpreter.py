@@ -18,14 +18,16 @@ from ecm_extract.infer.branching import Branching
 from ecm_extract.infer.calling import Calling
 from ecm_extract.infer.choosing import Choosing
 from ecm_extract.infer.comprehending import Comprehending
+from ecm_extract.infer.effects import perhaps_called
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.giving import Giving
-from ecm_extract.infer.held import Held, State, joined_states
+from ecm_extract.infer.held import Held, State, either, joined_states
 from ecm_extract.infer.judge import Judge
 from ecm_extract.infer.looping import Looping
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.raising import asks_what_raises
 from ecm_extract.infer.raising_statements import RaisingStatements
+from ecm_extract.infer.read_into import ReadInto
 from ecm_extract.infer.routes import NOWHERE
 from ecm_extract.infer.run import Frame, Run
 
@@ -52,6 +54,7 @@ class Interpreter:
         self.comprehending = Comprehending(self.frame, self.assigning, self.choosing)
         self.looping = Looping(self.frame, self.exits, self.assigning, self.comprehending, self)
         self._nesting = 0
+        self._jumped = False
 
     def result(self) -> Run:
         """Run the function from its beginning."""
@@ -72,6 +75,8 @@ class Interpreter:
         before = state
         for at, step in enumerate(block):
             after = self._step(step, state) if state is not None else None
+            if self._jumped and state is not None:  # a jump may lead past what is written behind it
+                after = joined_states([state, after])
             if after is None:
                 self.unreached(block[at + 1 :], state)
                 state = None
@@ -133,6 +138,7 @@ class Interpreter:
         if isinstance(step, Later):
             return self._run_later(step, state)
         if isinstance(step, Leave) and step.how == "goto":
+            self._jumped = True
             return state  # where it leads is not followed
         if isinstance(step, Leave) and step.how == "throw":
             self.exits.thrown(state, step.raised)
@@ -182,9 +188,16 @@ class Interpreter:
         for read in self.frame.outline.reads.get(at, ()):
             key = self.frame.effects.key(read.out)
             if key:
-                held = Held("read", key, read.name, env, at, read.default, state.holds.get(key, ()))
+                before = state.holds.get(key, ())
+                held = Held("read", key, read.name, env, at, read.default, before)
                 state = self.memory.hold(key, held, state)
+                if read.default is not None and self._is_perhaps(read, at):
+                    state = state.having({key: either(key, before or (Held("given", key),), state.holds[key])})
         return state
+
+    def _is_perhaps(self, read: ReadInto, at: int) -> bool:
+        """Whether a parameter is read on one side of a choice only: `known && nh.param("x", x, 1)`."""
+        return any({read.name, read.out} <= set(call.args) for call in perhaps_called(self.frame.body[at].value))
 
     def _given(self, statement: Statement, at: int, env: Env, state: State) -> State:
         """The state after a statement has given its target a value, and others ways to variables."""

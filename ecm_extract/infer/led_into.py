@@ -18,11 +18,19 @@ def led_into(call: Call, giving: Set[str]) -> Iterator[Expr]:
         call: the call.
         giving: functions and methods that give parts of what they get, or are called on.
     """
-    for arg in given_to(call):
+    for given in given_to(call):
+        arg = _indexed(given)
         if isinstance(arg, Op) and arg.op == "*" and len(arg.operands) == 1:
             yield from shared_names(arg.operands[0])
         elif isinstance(arg, Call) and _name(arg) in giving:
             yield from shared_names(arg)
+
+
+def _indexed(arg: Expr) -> Expr:
+    """What an element is taken of: `list(rows)` of `list(rows)[0]`; itself where it is none."""
+    while isinstance(arg, Op) and arg.op == "[]":
+        arg = arg.operands[0]
+    return arg
 
 
 def called_with_parts(call: Call, changes: Callable[[Call], bool]) -> Iterator[Expr]:

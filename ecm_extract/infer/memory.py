@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Set
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Items, Table
+from ecm_parsers.source.expr import Call, Items, Op, Table
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, statements
 
+from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.places import ALL_FIELDS, owners, wholes
 from ecm_extract.infer.run import Frame
@@ -124,14 +125,28 @@ class Memory:
 
         What may be the same object, or an element that is, has a field that nobody knows.
         """
-        keys, perhaps = {key}, set[str]()
+        keys, perhaps, lists = {key}, set[str](), set[str]()
         for whole in (*wholes(key), *owners(key)):
             names, part = self.names(whole, state), key.removeprefix(whole)
             keys |= {name + part for name in names}
             if self.frame.python:
                 perhaps |= {name + part for name in self.sharing.holding(names, state)}
+                lists |= self._taken_from(names, state)
         unknown = {name: (Held("lost", name),) for name in perhaps - keys}
-        return state.having(unknown).having(dict.fromkeys(keys, (held,)))
+        within = {name: _elements_of(name, state.holds[name]) for name in lists - keys}
+        return state.having(within).having(unknown).having(dict.fromkeys(keys, (held,)))
+
+    def _taken_from(self, names: Iterable[str], state: State) -> set[str]:
+        """The variables of Python that some others were taken out of: `row = rows[0]`, `for row in rows`."""
+        found, pending = set[str](), list(names)
+        while pending:
+            ways = all_ways(state.holds.get(pending.pop(), ()))
+            parts = [held.expr for held in ways if held.how != "value" or isinstance(held.expr, Op | Call)]
+            near = {self.frame.effects.key(expr) for part in parts for expr in shared_names(part)}
+            more = {name for name in near if name in state.holds} - found
+            found |= more
+            pending += more
+        return found
 
     def exchanged(self, key: str, ways: tuple[Held, ...], state: State) -> State:
         """Give a variable of C++ what another one held; who may be changed any time is not known any more."""

@@ -56,8 +56,15 @@ class Outline:
     def changes(self) -> Mapping[str, int]:
         """Variable -> how many times the body changes it."""
         changed = Counter(key for keys in self._changed for key in keys) + Counter(self.escaped)
-        changed += Counter(self.by_other_names)
+        changed += Counter(self.by_other_names) + Counter(self._by_defaults)
         return changed + Counter(caught_names(self.block)) if self.python else changed
+
+    @property
+    def _by_defaults(self) -> Iterator[str]:
+        """The variables around a function of Python that are defaults of parameters which it changes in place."""
+        altered = self.altered if self.python else ()
+        given = (each.default for each in self.func.fact.params if each.default is not None and each.name in altered)
+        return (key for each in given if (key := self.effects.key(each)))
 
     @cached_property
     def by_other_names(self) -> Set[str]:

@@ -9,6 +9,7 @@ from ecm_parsers.source.facts import Function, Statement
 from ecm_parsers.source.flow import Attempt, Block, blocks
 
 from ecm_extract.infer.unpacking import unstarred
+from ecm_extract.link.code.spelling import last_name
 
 ALL_FIELDS = "__dict__"
 """Member of objects of Python that has all others: who changes an element of it may change any of these."""
@@ -66,9 +67,12 @@ def key_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> s
 
 
 def target_of(statement: Statement) -> Expr | None:
-    """Return what a statement binds: an initialiser means the member, whatever the constructor calls its parameters."""
+    """Return what a statement binds: an initialiser means the member, whatever the constructor calls its parameters.
+
+    What makes a base means what the object has of it, by the last name of that.
+    """
     target = statement.target
-    return Member(THIS, target.id) if statement.kind == "init" and isinstance(target, Name) else target
+    return Member(THIS, last_name(target.id)) if statement.kind == "init" and isinstance(target, Name) else target
 
 
 def root_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> str:

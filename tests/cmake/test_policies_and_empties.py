@@ -130,6 +130,16 @@ def test_catkin_simple() -> None:
     assert [(rule.items, rule.destination) for rule in found[TOP].installs] == [(("l",), "lib"), (("e",), "lib/p")]
 
 
+def test_catkin_simple_in_a_folder_without_a_project_of_its_own() -> None:
+    """It installs to the project around it, and to its own where the folder begins one."""
+    body = "cs_add_executable(e{} src/b.cpp)\ncs_install()"
+    lines = "add_subdirectory(inner)\nadd_subdirectory(own)"
+    files = {"inner__CMakeLists": body.format(1), "own__CMakeLists": f"project(q)\n{body.format(2)}"}
+    found = facts(lines, (*FILES, "inner/src/b.cpp", "own/src/b.cpp"), files, ".txt")
+    rules = {rule.items: rule.destination for file in found.values() for rule in file.installs}
+    assert rules == {("e1",): "lib/p", ("e2",): "lib/q"}
+
+
 def test_what_catkin_simple_shares() -> None:
     """`cs_install` installs headers and the folders of a package that have the usual names."""
     listed = ("src/a.cpp", "include/p/a.hpp", "launch/a.launch", "other/b.yaml")

@@ -14,7 +14,7 @@ from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.declaring.match import handle_argument, name_argument, positions
 from ecm_extract.link.declaring.site import Site
-from ecm_extract.link.folding.data import declared_type, plain_type
+from ecm_extract.link.folding.data import plain_type
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.running.env import Env
@@ -47,7 +47,7 @@ class Openness:
             made |= found.open
         made |= self._redefined(site, names)
         handle = _below_what(handle_argument(site.form, site.call), {"NodeHandle"})
-        for expr, accepts in ((handle, _is_handle), (_qos(site), _is_qos)):
+        for expr, accepts in ((handle, _is_handle), (_qos(site), self._is_made_of)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
         return params, made
@@ -88,7 +88,7 @@ class Openness:
         pending: Iterable[tuple[Expr | None, Env]] = [(expr, site.env)]
         around = list(self.folder.nesting.around(site.root))
         for _ in range(MAX_CHAIN):
-            if accepts is _is_qos:
+            if accepts == self._is_made_of:
                 pending = [(part, env) for each, env in pending for part in _parts(each)]
             for each, env in pending:
                 found = self._accepted(each, env, accepts)
@@ -104,6 +104,12 @@ class Openness:
         if own_name(expr) in env.args:
             return frozenset()
         return frozenset(name for name in _names(expr) if accepts(name, env.func))
+
+    def _is_made_of(self, name: str, func: Func) -> bool:
+        """Tell whether a function takes by this name what a profile is made of; of an object one part alone may be."""
+        given = [plain_type(entry.type) for entry in func.fact.params if entry.name == name]
+        named = self.folder.program.class_named
+        return bool(given) and not any(named(written, func.file, func.scope) for written in given)
 
     def _outward(
         self, expr: Expr | None, env: Env, accepts: Callable[[str, Func], bool]
@@ -202,18 +208,9 @@ def _below(statement: Statement) -> Expr | None:
     return next(iter(statement.value.args), None)
 
 
-def _is_qos(name: str, func: Func) -> bool:
-    """Tell whether a function takes a profile, a policy or a length of a queue by this name; of any type in Python."""
-    given = [entry.type for entry in func.fact.params if entry.name == name]
-    if func.file.language == "python":
-        return bool(given)
-    plain = [plain_type(written) for written in given]
-    return any("qos" in each.lower() or each.endswith("Policy") or declared_type(each) == "integer" for each in plain)
-
-
 def _unknown(value: Value) -> Iterator[str]:
     """What a value leaves open without knowing who knows it."""
-    return (part.label for part in value.parts if isinstance(part, Hole) and part.kind == "unknown")
+    return (part.label for part in value.parts if isinstance(part, Hole) and part.kind in {"unknown", "outside"})
 
 
 def _with_bodies(classes: Iterable[Cls]) -> Iterator[str]:

@@ -14,16 +14,17 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member,
 
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.endpoints.qos_changed import ChangedProfiles
 from ecm_extract.link.endpoints.qos_made import PROFILE, QUEUE, QUEUE_OF, QosMade
 from ecm_extract.link.endpoints.qos_own import OwnProfiles
 from ecm_extract.link.endpoints.qos_picked import PRESETS, PickedProfiles
 from ecm_extract.link.endpoints.qos_presets import DEFAULT, UNSEEN, agreed, preset_of, presets
 from ecm_extract.link.endpoints.qos_values import BY_KEY, milliseconds, policy_of_number
 from ecm_extract.link.endpoints.qos_variables import QosVariables
-from ecm_extract.link.endpoints.qos_words import MAX_DEPTH, QosWords
+from ecm_extract.link.endpoints.qos_words import QosWords
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.running.env import Bound, Env, invocation_of
+from ecm_extract.link.running.env import Env, invocation_of
 
 _FLAGS: dict[str, tuple[str, str]] = {
     "reliable": ("reliability", "reliable"),
@@ -48,6 +49,8 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
     "value",
     "get",
 }
+MAX_DEPTH = 12
+"""Nesting of evaluations."""
 _WITHOUT_DEPTH = frozenset({"keep_all", "system_default"})
 
 
@@ -57,10 +60,11 @@ class QosReader:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.variables = QosVariables(folder, self)
+        self.changed = ChangedProfiles(folder)
         self.picked = PickedProfiles(folder)
         self.made = QosMade(folder, self)
-        self.own = OwnProfiles(folder, self, self.made)
         self.words = QosWords(folder, self.picked)
+        self.own = OwnProfiles(folder, self.variables, self.made)
 
     def read(self, expr: Expr | None, env: Env) -> Qos:
         """Return the profile of a ROS 2 endpoint; without an expression the default one."""
@@ -101,7 +105,7 @@ class QosReader:
             return {"history": "keep_last", "depth": truncated(expr.value)}
         listed = self.picked.element(expr, env)
         if listed is not None:
-            changed = self.variables.is_changed_by_other_name(expr, env)
+            changed = self.changed.by_other_name(expr, env)
             return {**UNSEEN} if changed else self.policies(listed.expr, listed.env.deeper(env.depth + 1), level + 1)
         if isinstance(expr, Call):
             return self._call(expr, env, level)
@@ -136,11 +140,14 @@ class QosReader:
 
     def _depth_alone(self, expr: Expr, env: Env) -> dict[str, Any] | None:
         """What a number says, or a variable of which only is known that it is one; None of everything else."""
+        returned = _returned(expr) if isinstance(expr, Call) else ""
+        kind = plain_type(returned or self.folder.objects.type_of(expr, env))
+        written = declared_type(kind)
+        if kind not in {"", "auto"} and written is None:
+            return None  # an object that is made of a number
         number = self.number(expr, env) if len(self.folder.fold(expr, env)) == 1 else None
         if number is not None:
             return {"history": "keep_last", "depth": number}
-        returned = _returned(expr) if isinstance(expr, Call) else ""
-        written = declared_type(plain_type(returned or self.folder.objects.type_of(expr, env)))
         return {"history": "keep_last", "depth": None} if written == "integer" else None
 
     def _preset(self, expr: Expr, env: Env, level: int) -> dict[str, Any] | None:
@@ -169,8 +176,9 @@ class QosReader:
         own = self.own.of_call(expr, env, level)
         if own is not None:
             return own
-        if isinstance(callee, Member) and name in {"get", BY_KEY} and expr.args:
-            return self._by_key(callee, expr, env, level)
+        if name == BY_KEY and expr.args:
+            named = presets().get(f"{PRESETS}.{self.folder.fold(expr.args[0], env)[0].text.upper()}")
+            return {**named[1], "profile": named[0]} if named is not None else {**UNSEEN}
         found = presets().get(name)
         if found is not None:
             return {**found[1], **self.made.queue(expr.args, env, level + 1), "profile": found[0]}
@@ -183,17 +191,6 @@ class QosReader:
     def _path(self, call: Call, env: Env) -> str:
         """What a function of Python is called in the module that has it."""
         return self.folder.program.canonical(dotted_name(call.callee), env.func.file)
-
-    def _by_key(self, callee: Member, expr: Call, env: Env, level: int) -> dict[str, Any]:
-        """`TABLE.get("key", default)`, or a preset of rclpy by its short name."""
-        if callee.name == BY_KEY:
-            found = presets().get(f"{PRESETS}.{self.folder.fold(expr.args[0], env)[0].text.upper()}")
-            return {**found[1], "profile": found[0]} if found is not None else {**UNSEEN}
-        each = self.folder.tables.element_or(callee.base, expr.args, env)
-        return self._element(each, level) if each is not None else self._function(expr, env, level)
-
-    def _element(self, each: Bound, level: int) -> dict[str, Any]:
-        return self.policies(each.expr, each.env.deeper(each.env.depth + 1), level + 1)
 
     def _method(self, callee: Member, expr: Call, env: Env, level: int) -> dict[str, Any]:
         """A setter on a profile, or a method that returns a profile or a number."""
@@ -243,19 +240,13 @@ class QosReader:
         begun = preset_of(constant[0].type) if constant is not None else {}
         if constant is None or constant[0].value is None:
             return begun or self._unseen(expr, env)
-        if self.variables.is_changed_elsewhere(expr, *constant, env):
+        if self.changed.elsewhere(expr, *constant, env):
             return {**UNSEEN}
         scope, own = last_name(constant[0].scope), constant[0].name
         whole = Member(Name(scope), own) if scope else Name(own)
         left = self.variables.left_by_module(whole, constant[1], env, level)
         place = self.folder.names.stated_at(*constant, env)
         return left or begun | self.policies(constant[0].value, place, level + 1)
-
-    def chain(self, expr: Expr, env: Env) -> dict[str, Any]:
-        """Return what setters set, one after the other."""
-        if not isinstance(expr, Call) or not isinstance(expr.callee, Member):
-            return {}
-        return {**self.chain(expr.callee.base, env), **self.set_by(expr, env)}
 
     def _function(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
         """What a function of the tree gives back: at each return that is reached as long as nobody sets a parameter."""

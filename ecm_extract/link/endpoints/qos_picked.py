@@ -16,6 +16,7 @@ PRESETS: Final = "QoSPresetProfiles"
 """The enumeration of rclpy that has presets (rclpy/qos.py)."""
 _ENDS: Final = {"front": 0, "back": -1}
 _OR: Final = "value_or"
+_GET: Final = "get"
 
 
 class PickedProfiles:
@@ -34,9 +35,12 @@ class PickedProfiles:
         return found if found is not None else self.folder.tables.element(expr, env, likely=True)
 
     def _of_method(self, callee: Expr, call: Call, env: Env) -> Bound | None:
-        """`profiles.back()`, `given.value_or(profile)`: of lists and optionals of C++."""
-        if not isinstance(callee, Member) or env.func.file.language != "cpp":
+        """`table.get(key, profile)`, and `profiles.back()`, `given.value_or(profile)` of lists and optionals of C++."""
+        if not isinstance(callee, Member):
             return None
+        if env.func.file.language == "python":
+            is_get = callee.name == _GET and bool(call.args)
+            return self.folder.tables.element_or(callee.base, call.args, env) if is_get else None
         if callee.name in _ENDS and not call.args:
             items = self.folder.lists.items(callee.base, env)
             return items[_ENDS[callee.name]] if items else None

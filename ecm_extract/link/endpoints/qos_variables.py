@@ -6,15 +6,12 @@ from collections.abc import Iterable, Set
 from typing import TYPE_CHECKING, Any, Protocol
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name
-from ecm_parsers.source.facts import Constant as Variable
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.held import Held, State
-from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.places import ALL_FIELDS
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
-from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions, last_of
 from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, preset_of
@@ -24,8 +21,6 @@ from ecm_extract.link.running.env import Env
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
-_FIXED = frozenset({"const", "constexpr"})
-"""Traits of variables of C++ that nobody changes."""
 _REMADE = "emplace"
 """The method of an optional that makes what it holds."""
 Policies = dict[str, Any]
@@ -37,9 +32,6 @@ class Profiles(Protocol):
 
     def policies(self, expr: Expr, env: Env, level: int) -> Policies:
         """Return what an expression sets; `level` is the nesting of evaluations."""
-
-    def chain(self, expr: Expr, env: Env) -> Policies:
-        """Return what setters set, one after the other."""
 
     def set_by(self, expr: Call, env: Env) -> Policies:
         """Return what one setter sets."""
@@ -74,6 +66,24 @@ class QosVariables:
         if not found or None in found:
             return self._around(expr, key, env, level)
         return agreed([policies for policies in found if policies is not None])
+
+    def left_of_base(self, end: State, env: Env, level: int) -> Policies:
+        """Return what a constructor of C++ leaves the base of its object with, as which it is a profile."""
+        key = self.folder.flow.effects(env.func).base
+        found = self._any_of(end.holds.get(key) or (Held("given", key),), env, level)
+        return dict(UNSEEN) if found is None else found
+
+    def _base_begun(self, held: Held, env: Env, level: int) -> Policies | None:
+        """What the base of an object is where a method begins: what its caller had, or what makes it by itself."""
+        if not env.func.is_constructor or env.func.cls is None:
+            entered = self.folder.states.entered(held.name, env)
+            return self._any_of((entered,), env, level) if entered is not None else None
+        return self.profiles.policies(Call(Name(env.func.cls.fact.bases[0]), ()), env.entry(), level + 1)
+
+    def with_fields(self, whole: Policies, end: State) -> Policies:
+        """Return a profile of Python with what its constructor gives the fields of its object."""
+        fields = [key for key in end.holds.within("") if _is_member(key)]
+        return dict(UNSEEN) if f".{ALL_FIELDS}" in fields else self._with_parts(whole, fields, end)
 
     def is_own(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether a name is a variable of the function at hand, which hides what stands outside of it."""
@@ -153,20 +163,31 @@ class QosVariables:
                 return self.profiles.policies(Items(held.expr.args), inner, level + 1)
             before = self._any_of(held.before, env, level)
             return None if before is None else before | self.profiles.set_by(held.expr, inner)
-        if held.how in {"looped", "handed", "reached", "entered"}:
+        if held.how == "handed":  # a function may change it; what is no profile stays none
+            before = self._any_of(held.before or (Held("given", held.name),), inner, level)
+            return None if before is None else dict(UNSEEN)
+        if held.how in {"looped", "reached", "entered"}:
             return self._any_of(held.before, inner, level)
         if held.how == "after":
             left = self.folder.behind_calls.left(held, inner)
             return self._any_of(left[0], left[1].deeper(env.depth + 1), level + 1) if left is not None else None
         if held.how == "out":
             return self._handed_out(held, inner, level)
-        if held.how == "given" and held.name in inner.func.given:
-            return self._passed(held.name, inner, level)
-        cls = inner.this or inner.func.cls
-        if held.how in {"given", "shared"} and _is_member(held.name) and cls is not None:
-            begun = self._as_begun(held.name[1:], cls, inner, level) if held.how == "given" else None
-            return begun if begun is not None else self._of_member(held.name, cls, inner, level)
+        if held.how in {"given", "shared"}:
+            return self._left_alone(held, inner, level)
         return dict(UNSEEN) if held.how in {"lost", "stored", "read"} else None
+
+    def _left_alone(self, held: Held, env: Env, level: int) -> Policies | None:
+        """What a variable is that the function at hand has given nothing yet."""
+        first, cls = held.how == "given", env.this or env.func.cls
+        if first and held.name in env.func.given:
+            return self._passed(held.name, env, level)
+        if first and held.name == self.folder.flow.effects(env.func).base:
+            return self._base_begun(held, env, level)
+        if cls is None or not _is_member(held.name):
+            return None
+        begun = self._as_begun(held.name[1:], cls, env, level) if first else None
+        return begun if begun is not None else self._of_member(held.name, cls, env, level)
 
     def _handed_out(self, held: Held, env: Env, level: int) -> Policies:
         """What a function makes of a profile that it is handed, as a whole or field by field."""
@@ -286,35 +307,12 @@ class QosVariables:
         place = self.folder.names.at_class(owner, cls, env)
         return left or self.profiles.policies(field.default, place, level + 1)
 
-    def is_changed_elsewhere(self, expr: Name | Member, variable: Variable, file: File, env: Env) -> bool:
-        """Tell whether functions change a profile, or fields of it, that a module or a namespace has."""
-        if file.language == "cpp":
-            fixed = not _FIXED.isdisjoint(variable.traits) and not variable.type.endswith(("*", "&"))
-            return not fixed and bool(self.folder.outside.changers(dotted_name(expr).replace(".", "::"), env.func))
-        own = f"{last_name(variable.scope)}.{variable.name}" if variable.scope else variable.name
-        outlines = (self.folder.flow.outline(func) for func in self.folder.program.functions_in(file))
-        return any(_changes(outline, own) for outline in outlines if not outline.is_module)
-
-    def is_changed_by_other_name(self, element: Expr, env: Env) -> bool:
-        """Tell whether a function of Python changes fields of what it took out of the table that an element is of."""
-        outline = self.folder.flow.outline(env.func)
-        root = outline.effects.root(element.callee if isinstance(element, Call) else element)
-        fields = {key.rpartition(".")[0] for key in outline.changes if "." in key[1:]} if outline.python else set()
-        named = (each for each in env.func.fact.body if fields.intersection(outline.bound_keys(each.target)))
-        return any(outline.effects.key(one) == root for each in named for one in shared_names(each.value))
-
     def left_by_module(self, expr: Name | Member, file: File, env: Env, level: int) -> Policies | None:
         """Return what the body of a module of Python leaves a profile of it with, of which it changes fields."""
         place = self.folder.names.module_end(file, env) if file.language == "python" else None
         key = dotted_name(expr)
         changed = self.folder.flow.outline(place.func).changes if place is not None else ()
         return self.at(expr, place, level) if place and any(each.startswith(f"{key}.") for each in changed) else None
-
-
-def _changes(outline: Outline, name: str) -> bool:
-    """Tell whether a function changes a variable outside of it, or a field of one."""
-    own = name.partition(".")[0] in outline.effects.own and name not in outline.func.fact.shared
-    return not own and any(f"{key}.".startswith(f"{name}.") for key in outline.changes)
 
 
 def _unknown(field: str) -> Policies:

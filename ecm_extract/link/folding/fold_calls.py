@@ -314,7 +314,7 @@ def _text_of_property(made: Call, env: Env) -> Expr | None:
 
 
 def _is_unknown(value: Value) -> bool:
-    return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "unknown"
+    return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind in {"unknown", "outside"}
 
 
 def _asked(expr: Call, env: Env) -> tuple[object, ...]:

@@ -90,7 +90,7 @@ class MemberFolder:
         if told and (self._is_of_changed_variable(expr, env) or self._is_of_lost(expr.base, env)):
             return alternatives((*known, unknown(expr.name)))
         known = known or self.folder.module_objects.member(expr, env)
-        return known or self._of_given(expr, env) or self._of_message(expr, env) or (unknown(expr.name),)
+        return known or self._of_given(expr, env) or self._of_message(expr, env) or self.folder.names.unseen(expr, env)
 
     def _run_by_reading(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """What Python makes when an attribute is read, of the class or of the object."""

@@ -7,11 +7,11 @@ from functools import cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Name
+from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.facts import Constant, Function
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.code.calls import invocations
+from ecm_extract.link.code.calls import dotted_name, invocations
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.folding.of_templates import spelled
@@ -26,6 +26,7 @@ from ecm_extract.link.running.values import (
     demoted,
     literal,
     lowered,
+    outside,
     parameter,
     unknown,
 )
@@ -64,7 +65,18 @@ class NameFolder:
             return self.folder.held.of(ways, env)
         key = self.folder.flow.effects(env.func).key(Name(name))
         first = self.folder.held.at_first(name, env) if key.startswith(".") and self.is_fresh(env) else ()
-        return first or self.around(name, env) or (unknown(name),)
+        return first or self.around(name, env) or self.unseen(Name(name), env)
+
+    def unseen(self, expr: Name | Member, env: Env) -> tuple[Value, ...]:
+        """A constant of a library, where nothing of the tree is called so; these begin with a capital."""
+        name, own = dotted_name(expr), self.folder.flow.effects(env.func).own
+        root = name.partition(".")[0]
+        cls = env.this or env.func.cls
+        fields = (each.fields for each in self.folder.program.ancestry(cls)) if cls is not None else ()
+        is_own = root in {"", "self", *own} or any(root in each for each in fields)
+        stated = is_own or self.folder.program.constant_named(root, env.func.file, env.scope)
+        last = expr.name if isinstance(expr, Member) else last_name(expr.id)
+        return (unknown(last),) if stated or not last[:1].isupper() else (outside(last),)
 
     def is_fresh(self, env: Env) -> bool:
         """Tell whether a place is one on which no function of the tree was called before, in every state of it."""

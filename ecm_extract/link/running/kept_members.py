@@ -41,12 +41,30 @@ class KeptMembers:
 
     def is_had_by_others(self, expr: Member, env: Env) -> bool:
         """Tell whether somebody who is not seen may change a field of a member: others have its object, too."""
+        if self._is_of_shown(expr, env):
+            return True
         key = self.folder.flow.effects(env.func).key(expr)
         cls = self.folder.nesting.object_of(env.func) if env.func.file.language == "python" else None
         if cls is None or not key.startswith(".") or key.count(".") != 2 or not self._may_change(key, env):
             return False
         member = f".{key.split('.')[1]}"
         return member in self._given_away(cls) or self._is_named_outside(member[1:], cls)
+
+    def _is_of_shown(self, expr: Member, env: Env) -> bool:
+        """Tell whether others may change a field of an object: its methods give it away, or its class is remade."""
+        if env.func.file.language != "python":
+            return False
+        cls = self.folder.objects.class_of(expr.base, env)
+        lineage = self.folder.program.ancestry(cls) if cls is not None else ()
+        if any("remade" in entry.fact.traits for entry in lineage):
+            return True
+        assigned = bool(lineage) and bool(self.folder.scope.assigned_outside(expr.name, "python"))
+        return assigned and any(self._gives_itself(method) for entry in lineage for method in entry.methods)
+
+    def _gives_itself(self, method: Func) -> bool:
+        stored = any(entry.kind == "set" and entry.value == THIS for entry in method.fact.body)
+        calls = (call for group in method.calls for call in group if not _makes_base(call))
+        return stored or any(arg == THIS for call in calls for arg in self._kept_by(call, method))
 
     def as_made(self, key: str, maker: Env, run: Run) -> Sequence[Held] | None:
         """Return what a field is behind the constructor that makes its object there; None of other objects."""
@@ -147,3 +165,8 @@ class KeptMembers:
         """Whether a function may keep what it gets: it gives it to something, or does what its body does not show."""
         stored = any(entry.kind in {"set", "return"} and entry.value == Name(name) for entry in func.fact.body)
         return stored or self.folder.methods.parameters.is_hidden(func, name)
+
+
+def _makes_base(call: Call) -> bool:
+    """Tell whether a call makes the base of the object at hand: `Node.__init__(self, "demo")`."""
+    return isinstance(call.callee, Member) and call.callee.name == "__init__"

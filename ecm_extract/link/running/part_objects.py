@@ -38,7 +38,10 @@ class PartObjects:
         return self._of_member(name, env) if name else None
 
     def shown(self, call: Call, func: Func) -> Expr | None:
-        """Return the part of an object that a method does nothing with but give a reference to; None of other calls."""
+        """Return the part of an object that a method does nothing with but give a reference to; None of other calls.
+
+        Of Python also the variable that a function beside the one at hand, or within it, does nothing with but give.
+        """
         key = (func, call)
         if key not in self._shown:
             self._shown[key] = None  # who asks in a circle
@@ -46,11 +49,13 @@ class PartObjects:
         return self._shown[key]
 
     def _shown_by(self, call: Call, func: Func) -> Expr | None:
-        own = isinstance(call.callee, Name) and func.cls is not None
+        own = isinstance(call.callee, Name) and (func.cls is not None or func.file.language == "python")
         base = call.callee.base if isinstance(call.callee, Member) else THIS if own else None
-        if base is None or call.args:
+        if base is None or call.args or call.keywords:
             return None
         callee = self.folder.flow.target(call, func, len(func.fact.body))
+        if func.file.language == "python":
+            return self._given_by(callee, base, func) if callee is not None else None
         cls = callee.cls if callee is not None else None
         if callee is None or cls is None or "reference" not in callee.fact.traits or len(callee.fact.body) != 1:
             return None
@@ -64,6 +69,17 @@ class PartObjects:
             return base
         name = own_name(given)
         return Member(base, name) if name in cls.fields else None
+
+    def _given_by(self, callee: Func, base: Expr, func: Func) -> Expr | None:
+        """What a function of Python gives that does nothing else: a member of its object, a variable around both."""
+        body = callee.fact.body
+        given = body[0].value if len(body) == 1 and body[0].kind == "return" and not callee.fact.decorators else None
+        if isinstance(given, Member) and given.base == THIS:
+            return Member(base, given.name) if base != THIS or func.cls is not None else None
+        if not isinstance(given, Name) or given.id in callee.given or callee.file is not func.file:
+            return None
+        inside = self.folder.nesting.enclosing(callee) is func
+        return given if inside or given.id not in self.folder.flow.effects(func).own else None
 
     def _member(self, expr: Expr | None, env: Env) -> str:
         """The member of the object at hand that an expression is, in a lambda that of the method around it."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
-from ecm_extract.infer.effects import is_plain
+from ecm_extract.infer.effects import is_plain, is_within
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.decorators import is_of_class
 from ecm_extract.link.code.spelling import last_name
@@ -40,12 +41,14 @@ class SharedVariables:
         name, outline = stated.constant.name, self.folder.flow.outline(func)
         changed = outline.given if is_plain(stated.constant.value) else outline.changes  # who gets a text leaves it
         own = _defined(func, stated)
-        named = (key for key in changed if key.rpartition(".")[2] == name and "." in key)
-        roots = [key.rpartition(".")[0] for key in named if key != own or outline.changes[key] > 1]
+        again = bool(own) and outline.changes.get(own, 0) > 1
+        others = [key for key in changed if not own or not is_within(key, own) or (key == own and again)]
+        roots = [root for key in others for root in _before(name, key)]
         if any(self._leads_to(root, func, stated) for root in roots) or _gives_its_class(func, stated):
             return True
         is_local = name in outline.effects.own and func.fact.name != "<module>" and name not in func.fact.shared
-        return name in changed and not is_local and self._means(name, func, stated)
+        changes = any(key == name or key.startswith(f"{name}.") for key in changed)
+        return changes and not is_local and self._means(name, func, stated)
 
     def _leads_to(self, root: str, func: Func, stated: Stated) -> bool:
         """Whether what stands before the dot may have the variable: its module, its class, or an object of that."""
@@ -71,6 +74,12 @@ class SharedVariables:
                 for name in self.folder.shifting.names(func):
                     self._naming.setdefault(name, []).append(func)
         return self._naming
+
+
+def _before(name: str, key: str) -> Iterator[str]:
+    """Yield what stands before a name behind a dot: of a variable, or of a field of it."""
+    parts = key.split(".")
+    return (".".join(parts[:at]) for at, part in enumerate(parts) if at and part == name)
 
 
 def _gives_its_class(func: Func, stated: Stated) -> bool:

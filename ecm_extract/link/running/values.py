@@ -26,11 +26,12 @@ class Hole(NamedTuple):
     `param`: a parameter of the function at hand, which its callers know; `made`: a parameter of the constructor,
     which whoever makes the object knows; `node`: the name of the node at hand; `space`: its namespace, or the one above
     that; `circle`: what is asked for itself; `setting`: the value of a parameter that somebody
-    sets; `unknown`: nobody does. `part` is what is taken of it: an element or a field; empty where it is the whole.
+    sets; `outside`: a constant of a library, by its own name; `unknown`: nobody does. `part` is what is taken of it: an
+    element or a field; empty where it is the whole.
     """
 
     label: str
-    kind: Literal["param", "made", "node", "space", "circle", "setting", "unknown"] = "unknown"
+    kind: Literal["param", "made", "node", "space", "circle", "setting", "outside", "unknown"] = "unknown"
     default: str | None = None
     part: str = ""
 
@@ -154,6 +155,11 @@ def _set(value: Value) -> Value:
 def unknown(label: str) -> Value:
     """A value that nothing shows; the label tells what it is called in source."""
     return Value((Hole(_label(label)),), "pattern")
+
+
+def outside(label: str) -> Value:
+    """A constant of a library, of which only the name is known."""
+    return Value((Hole(label, "outside"),), "pattern")
 
 
 def setting(label: str, default: str | None = None) -> Value:
@@ -322,4 +328,4 @@ def _either(one: Value, other: Value) -> Value:
 
 
 def _label(text: str) -> str:
-    return text.strip("_").rsplit("::", 1)[-1].removeprefix("m_") or "value"
+    return text.strip("_").rsplit("::", 1)[-1].removeprefix("m_").partition("@")[0] or "value"

@@ -42,8 +42,12 @@ def macro_that_prints(node: Node) -> str:
     if callee is None or callee.type != "identifier":
         return ""
     name = (callee.text or b"").decode(errors="replace")
-    prints = name.isupper() and name.startswith(_table().printing) and not name.startswith(_table().asserting)
-    return name if prints else ""
+    return name if is_printing(name) else ""
+
+
+def is_printing(name: str) -> bool:
+    """Tell whether a macro prints or compares what it gets, unless a tree says what it stands for."""
+    return name.isupper() and name.startswith(_table().printing) and not name.startswith(_table().asserting)
 
 
 class Printing:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Final, NamedTuple
 
 from ecm_parsers.source.cpp_directives import Directive
+from ecm_parsers.source.cpp_logging import is_printing
 from ecm_parsers.source.facts import Replacement
 
 _TEXT: Final = re.compile(rb'"(?:[^"\\]|\\.)*"')
@@ -76,9 +77,14 @@ def is_cut_off(rest: bytes) -> bool:
 
 
 def is_calling(definition: Replacement) -> bool:
-    """Tell whether a macro calls something, is itself called (`node->open<T>`), or puts texts side by side."""
+    """Tell whether a macro calls something, is itself called (`node->open<T>`), or puts texts side by side.
+
+    One that is called as those which print is taken for what it stands for, whatever that is.
+    """
     if definition.params is None:
         return _CALLED.fullmatch(definition.body) is not None
+    if is_printing(definition.name.decode("utf-8", "replace")):
+        return True
     return calls_any(definition.body) or _BESIDE.search(_TEXT.sub(b'""', definition.body)) is not None
 
 

@@ -16,13 +16,13 @@ from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Constant, Field
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Loop, Switch
 from ecm_parsers.source.python_class_body import class_attribute, given_before, named_by
-from ecm_parsers.source.python_expr import parts, salvage
+from ecm_parsers.source.python_expr import salvage
 from ecm_parsers.source.python_fields import given_by, gives_field
 from ecm_parsers.source.python_literal import NULL, TRUE
 from ecm_parsers.source.python_named_tuples import made_class
 from ecm_parsers.source.python_partials import value_for
 from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught, types_suppressed
-from ecm_parsers.source.python_scan import Scan, StatementHandler
+from ecm_parsers.source.python_scan import Scan, StatementHandler, parts
 from ecm_parsers.source.python_type_calls import type_assigned
 
 _DISPLAYS = ("tuple", "list", "expression_list")

@@ -26,7 +26,8 @@ def class_attribute(scan: Scan, node: Node, field: Field) -> None:
         frame.fields.append(field)
     if value is None or frame.owner is None:
         return
-    own = scan.names_again(field.name, Member(frame.owner, field.name))
+    own = Member(frame.owner, field.name)
+    scan.names_again(field.name, own)
     scan.constants.append(Constant(field.name, frame.scope, value, field.line, field.type))
     if frame.depth > frame.begun or b"(" in scan.raw(node.parent or node):
         scan.emit("set", node, value, own, field.type)

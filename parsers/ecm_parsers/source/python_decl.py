@@ -10,10 +10,9 @@ from tree_sitter import Node
 from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name, Opaque
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 from ecm_parsers.source.python_dataclasses import Imported, generated_init
-from ecm_parsers.source.python_expr import parts
 from ecm_parsers.source.python_parameters import parameters
 from ecm_parsers.source.python_remade import is_remade
-from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler
+from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler, parts
 
 _PARTS_OF_CHOICE = 3
 """What `a if condition else b` has."""
@@ -216,7 +215,20 @@ def _import_from(scan: Scan, node: Node) -> None:
     origin = _compact(scan, module)
     for child in names:
         name, alias = ("*", "") if child.type == "wildcard_import" else _imported(scan, child)
-        scan.imports.append(Import(origin, name, alias, child.start_point[0] + 1))
+        line = child.start_point[0] + 1
+        scan.imports.append(Import(origin, name, _bound_here(scan, name, alias, line), line))
+
+
+def _bound_here(scan: Scan, name: str, alias: str, line: int) -> str:
+    """The alias of an import: one of its own where a function hides a variable of the module by it."""
+    bound = alias or name
+    hides = scan.frame.place == "function" and any(each.name == bound and not each.scope for each in scan.constants)
+    if not hides:
+        return alias
+    own = f"{bound}@{line}"
+    scan.frame.names = dict(scan.frame.names)  # methods beside it mean what they meant
+    scan.names_again(bound, Name(own))
+    return own
 
 
 def _import_future(scan: Scan, node: Node) -> None:

@@ -25,7 +25,6 @@ from ecm_parsers.source.expr import (
     Number,
     Op,
     Table,
-    Template,
     Text,
 )
 from ecm_parsers.source.python_choices import may_not_happen
@@ -34,23 +33,14 @@ from ecm_parsers.source.python_literal import (
     FALSE,
     NULL,
     TRUE,
-    content_value,
     joined,
     negated,
     number_value,
-    split_string,
-    string_value,
 )
-from ecm_parsers.source.python_scan import EXTRAS, MAX_DOTTED_LENGTH, ExprHandler, Scan
+from ecm_parsers.source.python_scan import EXTRAS, MAX_DOTTED_LENGTH, SKIPPED, ExprHandler, Scan, parts
+from ecm_parsers.source.python_strings import string
 
 _OPERATORS: Mapping[str, str] = {"and": "&&", "or": "||", "is": "==", "is not": "!=", "<>": "!=", "not": "!"}
-_SKIPPED = EXTRAS | {"ERROR"}
-_F_PREFIXES = (b"f", b"F", b"t", b"T")
-
-
-def parts(node: Node) -> list[Node]:
-    """Named children that are neither comments nor what could not be parsed."""
-    return [child for child in node.named_children if child.type not in _SKIPPED]
 
 
 def _attribute(scan: Scan, node: Node) -> Expr:
@@ -111,59 +101,6 @@ def salvage(scan: Scan, node: Node) -> None:
             scan.do(child)
 
 
-def _string(scan: Scan, node: Node) -> Expr:
-    raw = scan.data[node.start_byte : node.end_byte]
-    # Most strings are short, without prefix and escape.
-    quote = raw[:1]
-    if quote in (b"'", b'"') and b"\\" not in raw and raw[1:2] != quote and raw[-1:] == quote:
-        return Text(raw[1:-1].decode("utf-8", "replace"))
-    if raw[:1] in _F_PREFIXES or raw[1:2] in _F_PREFIXES:
-        return _template(scan, node, raw)
-    value = string_value(raw)
-    return scan.opaque(node) if value is None else Text(value)
-
-
-def _template(scan: Scan, node: Node, raw: bytes) -> Expr:
-    bounds = split_string(raw)
-    if bounds is None:
-        return scan.opaque(node)
-    prefix, start, end = bounds
-    origin = node.start_byte
-    position = start
-    pieces: list[Expr] = []
-    for child in node.named_children:
-        if child.type != "interpolation":
-            continue
-        pieces.append(_piece(raw[position : child.start_byte - origin], prefix))
-        pieces.extend(_interpolation(scan, child))
-        position = child.end_byte - origin
-    pieces.append(_piece(raw[position:end], prefix))
-    if len(pieces) == 1:
-        return pieces[0]
-    return Template(tuple(piece for piece in pieces if piece != Text("")))
-
-
-def _piece(content: bytes, prefix: str) -> Text:
-    return Text(content_value(content.replace(b"{{", b"{").replace(b"}}", b"}"), raw="r" in prefix))
-
-
-def _interpolation(scan: Scan, node: Node) -> list[Expr]:
-    value: Expr = NULL
-    spec = ""
-    shown: list[Expr] = []
-    for child in node.children[1:-1]:
-        kind = child.type
-        if kind == "type_conversion":
-            spec = scan.text(child)
-        elif kind == "format_specifier":
-            spec += scan.text(child)[1:]
-        elif kind == "=":
-            shown = [Text(scan.data[node.start_byte + 1 : child.end_byte].decode("utf-8", "replace"))]
-        elif child.is_named and kind not in _SKIPPED:
-            value = scan.expr(child)
-    return [*shown, Op("format", (value, Text(spec))) if spec else value]
-
-
 def _concatenated(scan: Scan, node: Node) -> Expr:
     return joined([scan.expr(child) for child in parts(node)])
 
@@ -212,7 +149,7 @@ def _slice(scan: Scan, node: Node) -> Expr:
     for child in node.children:
         if child.type == ":":
             bounds.append(NULL)
-        elif child.is_named and child.type not in _SKIPPED:
+        elif child.is_named and child.type not in SKIPPED:
             bounds[-1] = scan.expr(child)
     return Op(":", tuple(bounds))
 
@@ -224,7 +161,7 @@ def _binary(scan: Scan, node: Node) -> Expr:
         kind = child.type
         if not child.is_named:
             operators.append(_OPERATORS.get(kind, kind))
-        elif kind not in _SKIPPED:
+        elif kind not in SKIPPED:
             operands.append(scan.expr(child))
     return Op(" ".join(operators), tuple(operands))
 
@@ -337,7 +274,7 @@ EXPRESSIONS: Mapping[str, ExprHandler] = {
     "set": lambda scan, node: _set_of(_items(scan, node)),
     "set_comprehension": lambda scan, node: _set_of(_comprehension(scan, node)),
     "slice": _slice,
-    "string": _string,
+    "string": string,
     "subscript": _subscript,
     "true": lambda _scan, _node: TRUE,
     "tuple": _items,

@@ -15,9 +15,8 @@ from tree_sitter import Node
 from ecm_parsers.source.expr import Expr, Lambda
 from ecm_parsers.source.facts import Function, Statement
 from ecm_parsers.source.flow import Later
-from ecm_parsers.source.python_expr import parts
 from ecm_parsers.source.python_parameters import parameters
-from ecm_parsers.source.python_scan import ExprHandler, Frame, Scan
+from ecm_parsers.source.python_scan import ExprHandler, Frame, Scan, parts
 
 _BUILT_IN: Final = frozenset({"filter", "iter", "map", "max", "min", "sorted"})
 """Functions of Python that call what they are given at once, or for each element (docs.python.org: functions)."""

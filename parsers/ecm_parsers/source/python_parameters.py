@@ -5,8 +5,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from ecm_parsers.source.facts import Parameter
-from ecm_parsers.source.python_expr import parts
-from ecm_parsers.source.python_scan import Scan
+from ecm_parsers.source.python_scan import Scan, parts
 
 _SEPARATORS = frozenset(("keyword_separator", "positional_separator"))
 

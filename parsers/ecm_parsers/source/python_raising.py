@@ -8,8 +8,7 @@ from tree_sitter import Node
 
 from ecm_parsers.source.expr import Op
 from ecm_parsers.source.flow import Branch, Leave
-from ecm_parsers.source.python_expr import parts
-from ecm_parsers.source.python_scan import Scan
+from ecm_parsers.source.python_scan import Scan, parts
 
 _SUPPRESSING: Final = "suppress"
 """docs.python.org, contextlib."""

@@ -23,6 +23,8 @@ MAX_DOTTED_LENGTH = 120
 _LEAVES = frozenset(("identifier", "attribute", "string", "integer", "float", "true", "false", "none"))
 # What may stand between any two nodes.
 EXTRAS = frozenset(("comment", "line_continuation"))
+SKIPPED = EXTRAS | {"ERROR"}
+"""Nodes that say nothing: comments, and what could not be parsed."""
 _LITERALS = (Text, Number)
 
 Place: TypeAlias = Literal["module", "class", "function"]
@@ -147,13 +149,12 @@ class Scan:
             names[raw] = found
         return found
 
-    def names_again(self, name: str, meant: Member) -> Member:
-        """Let a name mean something else from here on, and return that."""
+    def names_again(self, name: str, meant: Expr) -> None:
+        """Let a name mean something else from here on."""
         raw, names = name.encode(), self.frame.names
         for dotted in [each for each in names if each.startswith(raw + b".")]:
             del names[dotted]
         names[raw] = meant
-        return meant
 
     def names_of(self, receiver: bytes) -> dict[bytes, Expr]:
         """Names seen in methods whose first parameter is `receiver`."""
@@ -238,3 +239,8 @@ class Scan:
 
 ExprHandler: TypeAlias = Callable[[Scan, Node], Expr]
 StatementHandler: TypeAlias = Callable[[Scan, Node], None]
+
+
+def parts(node: Node) -> list[Node]:
+    """Named children that are neither comments nor what could not be parsed."""
+    return [child for child in node.named_children if child.type not in SKIPPED]

@@ -59,7 +59,7 @@ def call(name: str, *args: Expr) -> Call:
         ("('a' # why\n 'b')", Text("ab")),
         ("f'a'", Text("a")),
         ("f'{a}/b{{c}}'", Template((A, Text("/b{c}")))),
-        ("f'{a!r:>{b}}'", Template((Op("format", (A, Text("!r>{b}"))),))),
+        ("f'{a!r:>{b}}'", Template((Op("format", (A, Template((Text("!r>"), Name("b"))))),))),
         ("f'{a=}'", Template((Text("a="), A))),
         ("f'{a.b(\"c\")}x' 'y'", Template((Call(Member(A, "b"), (Text("c"),), line=1), Text("xy")))),
         (r"rf'\d{a}'", Template((Text(r"\d"), A))),
