@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name
+from ecm_parsers.source.expr import THIS, Constant, Expr, Items, Member, Name, Number, Text
 
+from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.constructions import named_parts
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import Value, demoted
@@ -29,8 +30,23 @@ def begun_with(expr: Member, env: Env, folder: Folder) -> Bound | None:
         return None
     key = folder.flow.effects(env.func).key(expr.base)
     begun = _of_new(key[1:], env, folder) if key.startswith(".") else _of_local(expr.base, env, folder)
-    cls = folder.objects.class_of(expr.base, env) if begun is not None else None
-    if begun is None or cls is None or expr.name not in cls.fields or cls.fact.bases or cls.constructors:
+    return _given(expr, begun, env, folder) if begun is not None else None
+
+
+def declared_field(expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:
+    """Return what a field of a member of the object at hand is declared with, whatever methods give it later."""
+    key, cls = folder.flow.effects(env.func).key(expr.base), env.this or env.func.cls
+    if cls is None or cls.file.language != "cpp" or not key.startswith(".") or key.count(".") > 1:
+        return ()
+    begun = _declared(key[1:], cls, folder)
+    given = _given(expr, begun, env, folder) if begun is not None else None
+    return demoted(folder.fold(given.expr, given.env)) if given is not None and given.expr != NOTHING else ()
+
+
+def _given(expr: Member, begun: Sequence[Expr], env: Env, folder: Folder) -> Bound | None:
+    """What a field is given by an object that begins with some values, `NOTHING` for nothing."""
+    cls = folder.objects.class_of(expr.base, env)
+    if cls is None or expr.name not in cls.fields or cls.fact.bases or cls.constructors:
         return None
     place = Env(env.func, depth=env.depth + 1, this=cls)
     parts = [Bound(each, place) for each in begun]
@@ -51,10 +67,20 @@ def _of_new(name: str, env: Env, folder: Folder) -> Sequence[Expr] | None:
     if cls is None or not folder.names.is_fresh(env) or not folder.first_methods.finds_new(env.func, name):
         return None
     helds = {held for way in folder.flow.ways(Member(THIS, name), env) for held in way}
-    owner = next((each for each in folder.program.ancestry(cls) if name in each.fields), cls)
-    field = owner.fields.get(name)
-    if env.func.is_constructor and owner is not env.func.cls:  # the constructor of the base came first
+    if env.func.is_constructor and _owner(name, cls, folder) is not env.func.cls:  # that of the base came first
         return None
-    if field is None or any(held.how != "given" for held in helds):
-        return None
-    return () if field.default is None else field.default.items if isinstance(field.default, Items) else None
+    return _declared(name, cls, folder) if all(held.how == "given" for held in helds) else None
+
+
+def _owner(name: str, cls: Cls, folder: Folder) -> Cls:
+    return next((each for each in folder.program.ancestry(cls) if name in each.fields), cls)
+
+
+def _declared(name: str, cls: Cls, folder: Folder) -> Sequence[Expr] | None:
+    """What a member is declared with in braces, or nothing; None where it is declared with something else."""
+    field = _owner(name, cls, folder).fields.get(name)
+    if field is None or field.default is None:
+        return None if field is None else ()
+    if isinstance(field.default, Text | Number | Constant):  # the parser takes the braces of one literal away
+        return (field.default,)
+    return field.default.items if isinstance(field.default, Items) else None

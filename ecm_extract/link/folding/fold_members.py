@@ -219,7 +219,7 @@ class MemberFolder:
         for entry in self.folder.program.ancestry(cls):
             for method, read in self.folder.reads.members(entry, name):
                 if read.at not in self._reads_of(method, name):
-                    place = self._method_env(method, cls, env).within(None, read.at)
+                    place = self.beginning(method, cls, env).within(None, read.at)
                     values += self.folder.parameters.parameter_value(read.name, read.default, place)
         making = [place.func for held, place in sources if _makes(held)]
         if not any(func.is_constructor for func in making) or self._is_left_alone(cls, making, env):
@@ -294,7 +294,7 @@ class MemberFolder:
         for entry in (*self.folder.program.ancestry(cls), *derived):
             for method in scope.changing(name, entry) if scope.declaring(name, entry) is owner else ():
                 if self.folder.objects.runs(method, env.made):
-                    place = self._method_env(method, cls if entry not in derived else entry, env)
+                    place = self.beginning(method, cls if entry not in derived else entry, env)
                     run = self.folder.flow.run(place, whole=method.is_constructor)
                     if run is not None or self.folder.flow.outline(method).may_change(f".{name}"):
                         yield run, place
@@ -306,7 +306,8 @@ class MemberFolder:
         helds = dict.fromkeys(self.folder.flow.shown(run, f".{name}"))
         return [held for held in helds if held.how not in {"given", "shared"}]
 
-    def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:
+    def beginning(self, method: Func, cls: Cls, env: Env) -> Env:
+        """Return the beginning of a method of the object at hand, which is of a class."""
         made = env.made if env.made is not None and env.made.cls is cls else None
         return Env(method, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
 

@@ -10,7 +10,8 @@ from ecm_parsers.source.expr import Member
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.places import as_written, owners
 from ecm_extract.infer.run import Run
-from ecm_extract.link.code.units import Cls
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.folding.begun_fields import declared_field
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import Value, alternatives, unknown
 
@@ -38,10 +39,23 @@ class MemberFields:
         if cls is None or not owners(key) or self._is_left_to_others(key, env) or not self._is_changed(key, cls, env):
             return known
         left = self._left(key, cls, env)
-        if left and all(map(_is_told, left)):
-            return left if self._is_begun(key, cls, env) else self._besides(known, left)
+        told = bool(left) and all(map(_is_told, left))
+        begun = self._is_begun(key, cls, env)
+        known = known if begun else self._declared(expr, env, known)
+        if told:
+            return left if begun else self._besides(known, left)
         more = env.func.file.language == "python" and any(map(_is_told, known))
         return alternatives((*known, unknown(expr.name))) if more else known
+
+    def _declared(self, expr: Member, env: Env, known: tuple[Value, ...]) -> tuple[Value, ...]:
+        """What is known of a field, and what it is declared with: no method need have run that gives it something.
+
+        Settings are read before they are used, so one that a parameter gives is that.
+        """
+        if any(value.confidence == "default" for value in known):
+            return known
+        declared = [value for value in declared_field(expr, env, self.folder) if value.text]
+        return alternatives((*declared, *known)) if declared else known
 
     def _besides(self, known: tuple[Value, ...], left: tuple[Value, ...]) -> tuple[Value, ...]:
         """What a field may still be as its object was made, where no constructor gives it anything."""
@@ -49,12 +63,15 @@ class MemberFields:
 
     def _is_begun(self, key: str, cls: Cls, env: Env) -> bool:
         """Whether each constructor of a class gives the field something, so that no method finds it as it was made."""
-        ends = [(run, place.func) for run, place in self._ends(key, cls, env) if place.func.is_constructor]
-        giving = {func for run, func in ends if run is not None and not _is_alone(self._helds(key, run))}
-        makers = (
-            [each for each in entry.methods if each.is_constructor] for entry in self.folder.program.ancestry(cls)
-        )
-        return any(each and giving.issuperset(each) for each in makers)
+        for entry in self.folder.program.ancestry(cls):
+            makers = [each for each in entry.constructors if "declaration" not in each.fact.traits]
+            if makers and all(self._gives(maker, key, cls, env) for maker in makers):
+                return True
+        return False
+
+    def _gives(self, maker: Func, key: str, cls: Cls, env: Env) -> bool:
+        run = self.folder.flow.run(self.folder.members.beginning(maker, cls, env))
+        return run is not None and not _is_alone(self._helds(key, run))
 
     def _is_left_to_others(self, key: str, env: Env) -> bool:
         """Whether a method finds the member new, or others than its methods change the field."""
