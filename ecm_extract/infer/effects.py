@@ -23,7 +23,7 @@ from ecm_parsers.source.expr import (
 )
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.bare_names import bare_names
+from ecm_extract.infer.bare_names import bare_names, shared_names
 from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
@@ -127,10 +127,18 @@ class Effects:
         if known is None:
             self._known[at] = ()  # who asks in a circle
             statement = self.func.fact.body[at]
-            known = self._known[at] = tuple(
-                [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
-            )
+            calls = [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
+            known = self._known[at] = (*calls, *self._taken(statement))
         return known
+
+    def _taken(self, statement: Statement) -> Iterator[Effect]:
+        """What a statement of Python may change since a call gives it a part of that: `next(iter([row]))[0] = 1`."""
+        for target in _each(statement.target) if self.python else ():
+            call = target
+            while isinstance(call, Op | Member):
+                call = call.operands[0] if isinstance(call, Op) else call.base
+            if isinstance(call, Call) and call is not target:
+                yield from (Effect("handed", key, call) for each in shared_names(call) if (key := self.key(each)))
 
     def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:
         callee = call.callee
@@ -154,7 +162,7 @@ class Effects:
             return
         target = self.targets.target(call, self.func, at)
         copies = isinstance(callee, Member) and last in self.calls.fluent
-        if target is None and (copies or last in self.calls.reading):
+        if target is None and (copies or self.calls.reads(last, callee, self.func.file.imported)):
             yield from self._by_calling(call, at) if self.python and last in self.calls.calling else ()
             return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's

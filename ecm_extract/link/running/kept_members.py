@@ -143,8 +143,8 @@ class KeptMembers:
         callee = flow.target(call, func, 0)
         path = call.callee.name if isinstance(call.callee, Member) else getattr(call.callee, "id", "")
         last = last_name(path)
-        calls = flow.effects(func).calls
-        if callee is None and (last in calls.reading or flow.keeps(path) or self._is_put_into_own(call, func)):
+        reads = flow.effects(func).calls.reads(last, call.callee, func.file.imported)
+        if callee is None and (reads or flow.keeps(path) or self._is_put_into_own(call, func)):
             return
         own = isinstance(call.callee, Member) and call.callee.base == THIS
         params = callee.fact.params if callee is not None else ()
