@@ -30,7 +30,7 @@ from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
-from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.spelling import last_name, may_be_written
 from ecm_extract.link.code.walk import calls_in, children, given_to
 
 if TYPE_CHECKING:
@@ -283,7 +283,7 @@ class Effects:
         written = next((entry.type for entry in target.fact.params if entry.name == name), "")
         if self._iterates(arg):
             yield Effect("lost", root, call)
-        elif written.rstrip().endswith(("&", "*")) and "const" not in written.split():
+        elif may_be_written(written):
             pointed = written.rstrip().endswith("*") and not (isinstance(arg, Op) and arg.op == "&")
             array = self.func.written_types.get(root, "").endswith("[]")
             if pointed and (array or self.targets.parameters.may(target, name)):

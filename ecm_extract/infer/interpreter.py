@@ -54,12 +54,11 @@ class Interpreter:
         self.comprehending = Comprehending(self.frame, self.assigning, self.choosing)
         self.looping = Looping(self.frame, self.exits, self.assigning, self.comprehending, self)
         self._nesting = 0
-        self._jumped = False
 
     def result(self) -> Run:
         """Run the function from its beginning."""
         run = self.frame.run
-        end = self.run(self.frame.outline.block, State())
+        end = self.run(self.frame.outline.block, self.memory.lost(State(), self.frame.outline.jumped))
         run.end, run.steps = joined_states([*self.exits.left, end]), self.frame.steps
         self.memory.sharing.consisting.forget()
         return run
@@ -75,8 +74,6 @@ class Interpreter:
         before = state
         for at, step in enumerate(block):
             after = self._step(step, state) if state is not None else None
-            if self._jumped and state is not None:  # a jump may lead past what is written behind it
-                after = joined_states([state, after])
             if after is None:
                 self.unreached(block[at + 1 :], state)
                 state = None
@@ -138,8 +135,7 @@ class Interpreter:
         if isinstance(step, Later):
             return self._run_later(step, state)
         if isinstance(step, Leave) and step.how == "goto":
-            self._jumped = True
-            return state  # where it leads is not followed
+            return state  # where it leads is not followed (see `Outline.jumped`)
         if isinstance(step, Leave) and step.how == "throw":
             self.exits.thrown(state, step.raised)
         elif isinstance(step, Leave):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Items, Name, Op, Text
 from ecm_parsers.source.facts import Statement
-from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
+from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks, steps
 
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import Effect, Effects, is_plain
@@ -140,7 +140,16 @@ class Outline:
     def escaped(self) -> Set[str]:
         """The variables that functions which are declared within it change: any time from then on."""
         handed = (func for func in self.inner if func not in self.captured)
-        return frozenset(key for func in handed for key in self._changed_inside(func))
+        return self.jumped | {key for func in handed for key in self._changed_inside(func)}
+
+    @cached_property
+    def jumped(self) -> Set[str]:
+        """The variables that nobody knows in a function with jumps (`goto`): those that it does not only declare."""
+        if not any(isinstance(step, Leave) and step.how == "goto" for step in steps(self.func.fact.flow)):
+            return frozenset()
+        changed = Counter(key for keys in self._changed for key in keys)
+        begun = self._declared.keys() - self.func.given
+        return frozenset(key for key, count in changed.items() if count > 1 or key not in begun)
 
     @cached_property
     def waiting(self) -> Set[int]:
@@ -235,7 +244,7 @@ class Outline:
         if isinstance(step, int):
             return self.func.fact.body[step].kind == "return"
         if isinstance(step, Leave):
-            return step.how in {"return", "throw"}
+            return step.how in {"return", "throw", "goto"}
         inner = () if isinstance(step, Later) else blocks(step)
         return any(self._may_end(entry) for block in inner for entry in block)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Set
+from typing import NamedTuple
 
 from ecm_parsers.source.facts import Statement
 
@@ -11,6 +12,13 @@ from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.held import State, all_ways
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import wholes
+
+
+class Meant(NamedTuple):
+    """All names of a variable, and the variables that change with it."""
+
+    names: set[str]
+    touched: set[str]
 
 
 class Sharing:
@@ -48,14 +56,14 @@ class Sharing:
             names |= more
         return names
 
-    def meant(self, key: str, state: State) -> tuple[set[str], set[str]]:
-        """Return all names of a variable of C++, of a field by those of its object, and what else changes with it."""
+    def meant(self, key: str, state: State) -> Meant:
+        """Return what a variable of C++ is called, a field by all names of its object."""
         names, touched = self.names_of(key), set[str]()
         for whole in (key, *wholes(key)):
             same = self.names_of(whole)
             touched |= self.touched(same, state)
             names |= {name + key.removeprefix(whole) for name in same}
-        return names, touched
+        return Meant(names, touched)
 
     def touched(self, names: Set[str], state: State) -> set[str]:
         """Return what else changes with a variable of C++, by its names: what they lie in, and references into them."""

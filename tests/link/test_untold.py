@@ -206,3 +206,24 @@ def test_questions_that_depend_on_each_other(
     assumed = Assumed[str](lambda asked: asked != refuted and all(assumed.of(each) for each in needs[asked]))
     found = {asked for asked in order if asked in needs and assumed.of(asked)}
     assert found == expected | {each for each in needs if not needs[each] and each != refuted}
+
+
+def test_what_was_assumed_before_a_fault_is_not_kept() -> None:
+    """A question that cannot be answered leaves no other one answered by what was only assumed."""
+    faulty = {"b"}
+
+    def holds(asked: str) -> bool:
+        if asked in faulty:
+            raise ValueError(asked)
+        return asked == "c" or assumed.of({"a": "b", "b": "d", "d": "c"}[asked])
+
+    assumed = Assumed[str](holds)
+    with pytest.raises(ValueError, match="b"):
+        assumed.of("a")
+    assert assumed.of("c")
+    faulty.clear()
+    assert assumed.of("a")
+
+    refuted = Assumed[str](lambda asked: asked != "b" and (asked != "a" or refuted.of("b")))
+    assert not refuted.of("a")
+    assert refuted.of("c")

@@ -49,6 +49,12 @@ def by_value(written: str) -> bool:
     return named and pointee(text) == text and _WITHIN_TEMPLATE.search(text) is None
 
 
+@lru_cache(maxsize=MAX_SPELLINGS)
+def may_be_written(written: str) -> bool:
+    """Tell whether who gets a parameter of a type of C++ can change what it refers or points to."""
+    return written.rstrip().endswith(("&", "*")) and "const" not in written.split()
+
+
 def is_pointer(last: str) -> bool:
     """Tell whether the last name of a type is that of a smart pointer, or of what may be none."""
     return last in _POINTERS

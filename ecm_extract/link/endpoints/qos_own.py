@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import THIS, Call, Expr, Member
+from ecm_parsers.source.expr import THIS, Call
 from msgspec.structs import replace
 
 from ecm_extract.link.code.calls import Invocation
@@ -14,6 +14,7 @@ from ecm_extract.link.endpoints.qos_made import Policies, QosMade
 from ecm_extract.link.endpoints.qos_presets import UNSEEN
 from ecm_extract.link.endpoints.qos_variables import QosVariables
 from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.base_calls import makes_base
 from ecm_extract.link.running.env import Env, invocation_of
 
 if TYPE_CHECKING:
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 
 _PROFILE: Final = "QoSProfile"
 """The profile of rclpy (rclpy/qos.py)."""
-_MAKER: Final = "__init__"
 
 
 class OwnProfiles:
@@ -62,7 +62,7 @@ class OwnProfiles:
     def _made_by_library(self, place: Env, level: int) -> Policies | None:
         """What a constructor of Python hands to the one of its base, once in each run; None where that is not known."""
         outline, body = self.folder.flow.outline(place.func), place.func.fact.body
-        made = [(at, each.value) for at, each in enumerate(body) if _makes_base(each.value)]
+        made = [(at, each.value) for at, each in enumerate(body) if makes_base(each.value)]
         if len(made) != 1 or made[0][0] not in outline.certain:
             return None if made else {}
         at, value = made[0]
@@ -74,8 +74,3 @@ class OwnProfiles:
         if parent is None:
             return self.made.of_call(_PROFILE, call, env, level + 1)
         return self._of_class(parent, call, invocation_of(call, env), env, level + 1)
-
-
-def _makes_base(value: Expr | None) -> bool:
-    """Tell whether a call is `super().__init__(depth=1)`, or `Base.__init__(self, depth=1)`."""
-    return isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == _MAKER

@@ -48,10 +48,8 @@ class QosWords:
 
     def _handed(self, value: Name, env: Env) -> Bound | None:
         """The argument of a parameter that the function leaves alone."""
-        given = (
-            value.id if isinstance(value, Name) and value.id not in self.folder.flow.outline(env.func).changes else ""
-        )
-        return self.folder.names.argument(given, env)
+        is_left = value.id not in self.folder.flow.outline(env.func).changes
+        return self.folder.names.argument(value.id, env) if is_left else None
 
 
 def _named(value: Value) -> str:

@@ -67,18 +67,15 @@ def _of_new(name: str, env: Env, folder: Folder) -> Sequence[Expr] | None:
     if cls is None or not folder.names.is_fresh(env) or not folder.first_methods.finds_new(env.func, name):
         return None
     helds = {held for way in folder.flow.ways(Member(THIS, name), env) for held in way}
-    if env.func.is_constructor and _owner(name, cls, folder) is not env.func.cls:  # that of the base came first
+    if env.func.is_constructor and folder.scope.declaring(name, cls) is not env.func.cls:  # that of the base came first
         return None
     return _declared(name, cls, folder) if all(held.how == "given" for held in helds) else None
 
 
-def _owner(name: str, cls: Cls, folder: Folder) -> Cls:
-    return next((each for each in folder.program.ancestry(cls) if name in each.fields), cls)
-
-
 def _declared(name: str, cls: Cls, folder: Folder) -> Sequence[Expr] | None:
     """What a member is declared with in braces, or nothing; None where it is declared with something else."""
-    field = _owner(name, cls, folder).fields.get(name)
+    owner = folder.scope.declaring(name, cls)
+    field = owner.fields[name] if owner is not None else None
     if field is None or field.default is None:
         return None if field is None else ()
     if isinstance(field.default, Text | Number | Constant):  # the parser takes the braces of one literal away

@@ -255,8 +255,8 @@ class StructureFolder:
 
     def _declared_with(self, name: str, cls: Cls) -> bool:
         """Whether a member of C++ is declared with a value."""
-        owner = next((each for each in self.folder.program.ancestry(cls) if name in each.fields), None)
-        return owner is not None and owner.file.language == "cpp" and owner.fields[name].default is not None
+        owner = self.folder.scope.declaring(name, cls)
+        return owner is not None and owner.fields[name].default is not None
 
     def made(self, expr: Expr, env: Env) -> Bound | None:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it.

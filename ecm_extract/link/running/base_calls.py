@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from ecm_parsers.source.expr import THIS, Call, Member, Name
+from typing import TypeGuard
+
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.code.own import is_super
@@ -23,8 +25,12 @@ def base_call(func: Func, parent: Cls) -> Invocation | None:
     return None
 
 
+def makes_base(value: Expr | None) -> TypeGuard[Call]:
+    """Tell whether an expression of Python is `super().__init__(depth=1)`, or `Base.__init__(self, depth=1)`."""
+    return isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == "__init__"
+
+
 def _calls_super(call: Call, parent: Cls) -> bool:
-    callee = call.callee
-    if not isinstance(callee, Member) or callee.name != "__init__":
+    if not makes_base(call) or not isinstance(call.callee, Member):
         return False
-    return is_super(callee.base) or last_name(dotted_name(callee.base)) == parent.fact.name
+    return is_super(call.callee.base) or last_name(dotted_name(call.callee.base)) == parent.fact.name

@@ -10,6 +10,7 @@ from ecm_parsers.source.expr import Call, Member
 from ecm_extract.infer.bare_names import bare_names
 from ecm_extract.infer.effects import is_within
 from ecm_extract.infer.other_names import changed_as_others
+from ecm_extract.link.code.spelling import may_be_written
 from ecm_extract.link.code.units import Func
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ class ChangedParameters:
         changed = frozenset(key for key in outline.changes if is_within(key, name))
         given = any(outline.effects.key(arg) == name for group in func.calls for call in group for arg in call.args)
         shown = "reference" in func.fact.traits or name in outline.exposed or name in changed
-        others = any(param.name != name and _may_be_written(param.type) for param in func.params)  # of the same object
+        others = any(param.name != name and may_be_written(param.type) for param in func.params)  # of the same object
         if given or shown or others or len(changed) > MAX_FIELDS or not self.folder.lent.is_one(func):
             return None
         return None if self.is_hidden(func, name) else changed
@@ -100,11 +101,6 @@ class ChangedParameters:
 
     def _is_bound(self, func: Func, name: str) -> bool:
         return any(is_within(key, name) for key in self.folder.flow.outline(func).changes)
-
-
-def _may_be_written(written: str) -> bool:
-    """Whether a function of C++ can change what a parameter of a type is, or points to."""
-    return written.rstrip().endswith(("&", "*")) and "const" not in written.split()
 
 
 def _methods(func: Func) -> Iterator[tuple[Call, Member]]:

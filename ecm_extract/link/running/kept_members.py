@@ -13,6 +13,7 @@ from ecm_extract.infer.run import Run
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
+from ecm_extract.link.running.base_calls import makes_base
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.shared_members import SharedMembers
 
@@ -63,7 +64,7 @@ class KeptMembers:
 
     def _gives_itself(self, method: Func) -> bool:
         stored = any(entry.kind == "set" and entry.value == THIS for entry in method.fact.body)
-        calls = (call for group in method.calls for call in group if not _makes_base(call))
+        calls = (call for group in method.calls for call in group if not makes_base(call))
         return stored or any(arg == THIS for call in calls for arg in self._kept_by(call, method))
 
     def as_made(self, key: str, maker: Env, run: Run) -> Sequence[Held] | None:
@@ -165,8 +166,3 @@ class KeptMembers:
         """Whether a function may keep what it gets: it gives it to something, or does what its body does not show."""
         stored = any(entry.kind in {"set", "return"} and entry.value == Name(name) for entry in func.fact.body)
         return stored or self.folder.methods.parameters.is_hidden(func, name)
-
-
-def _makes_base(call: Call) -> bool:
-    """Tell whether a call makes the base of the object at hand: `Node.__init__(self, "demo")`."""
-    return isinstance(call.callee, Member) and call.callee.name == "__init__"
