@@ -39,7 +39,7 @@ class _Writer:
             return named
         match expr:
             case Name():
-                return "self" if self.python and expr == THIS else expr.id
+                return "self" if self.python and expr == THIS else expr.id.partition("@")[0]
             case Member():
                 return self._member(expr)
             case Call():

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 
 from ecm_extract.infer.held import Held
+from ecm_extract.infer.places import as_written
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.containers import PAIR, makes_tuple
 from ecm_extract.link.code.member_paths import lies_deep
@@ -249,14 +250,19 @@ class StructureFolder:
         if helds or cls is None or not key.startswith(".") or key.count(".") > 1:
             return helds
         found = self.folder.members.sources(key.removeprefix("."), cls, env)
-        begun = self._declared_with(key[1:], cls) and not any(place.func.is_constructor for _, place in found)
-        first = {Held("given", key)} if found and begun else set()  # as declared, until one of these methods runs
+        begun = None if any(place.func.is_constructor for _, place in found) else self._declared_with(key, cls, env)
+        first = {begun} if begun is not None and (found or begun.how == "value") else set()
         return first | {held if held.env is not None else replace(held, env=place) for held, place in found}
 
-    def _declared_with(self, name: str, cls: Cls) -> bool:
-        """Whether a member of C++ is declared with a value."""
-        owner = self.folder.scope.declaring(name, cls)
-        return owner is not None and owner.fields[name].default is not None
+    def _declared_with(self, key: str, cls: Cls, env: Env) -> Held | None:
+        """What a member of C++ is declared with, until a method gives it something; None where that is nothing."""
+        owner = self.folder.scope.declaring(key[1:], cls)
+        if owner is None or (default := owner.fields[key[1:]].default) is None:
+            return None
+        place = self.folder.names.at_class(owner, cls, env)
+        made = default if isinstance(default, Call | Items) else Items((default,))  # one literal stands without braces
+        is_object = made is default or self.folder.objects.class_of(as_written(key), place) is not None
+        return Held("value", key, made, place) if is_object else Held("given", key)
 
     def made(self, expr: Expr, env: Env) -> Bound | None:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it.

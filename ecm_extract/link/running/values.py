@@ -159,7 +159,7 @@ def unknown(label: str) -> Value:
 
 def outside(label: str) -> Value:
     """A constant of a library, of which only the name is known."""
-    return Value((Hole(label, "outside"),), "pattern")
+    return Value((Hole(_label(label), "outside"),), "pattern")
 
 
 def setting(label: str, default: str | None = None) -> Value:
