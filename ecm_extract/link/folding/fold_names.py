@@ -11,7 +11,8 @@ from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.facts import Constant, Function
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.code.calls import dotted_name, invocations
+from ecm_extract.link.code.calls import invocations
+from ecm_extract.link.code.member_paths import below_variable
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.folding.of_templates import spelled
@@ -68,15 +69,18 @@ class NameFolder:
         return first or self.around(name, env) or self.unseen(Name(name), env)
 
     def unseen(self, expr: Name | Member, env: Env) -> tuple[Value, ...]:
-        """A constant of a library, where nothing of the tree is called so; these begin with a capital."""
-        name, own = dotted_name(expr), self.folder.flow.effects(env.func).own
-        root = name.partition(".")[0]
+        """A name that nothing of the tree tells: of its own variables what they hold, else a constant of a library."""
+        last = expr.name if isinstance(expr, Member) else last_name(expr.id)
+        return (unknown(last) if self._is_of_tree(expr, env) else outside(last),)
+
+    def _is_of_tree(self, expr: Name | Member, env: Env) -> bool:
+        """Whether a name leads to a variable of the function, the object, or the file."""
+        root = below_variable(expr).root
+        name = root.id if isinstance(root, Name) else ""
         cls = env.this or env.func.cls
         fields = (each.fields for each in self.folder.program.ancestry(cls)) if cls is not None else ()
-        is_own = root in {"", "self", *own} or any(root in each for each in fields)
-        stated = is_own or self.folder.program.constant_named(root, env.func.file, env.scope)
-        last = expr.name if isinstance(expr, Member) else last_name(expr.id)
-        return (unknown(last),) if stated or not last[:1].isupper() else (outside(last),)
+        own = name in {"", *self.folder.flow.effects(env.func).own} or any(name in each for each in fields)
+        return own or self.folder.program.constant_named(name, env.func.file, env.scope) is not None
 
     def is_fresh(self, env: Env) -> bool:
         """Tell whether a place is one on which no function of the tree was called before, in every state of it."""
