@@ -183,6 +183,8 @@ class Assigning:
         if self.frame.python:
             return self.memory.in_part(key, state.holds[key][0], state) if "." in key else state
         same, touched = self.memory.sharing.meant(key, state)
+        self.memory.tell(same - {key}, state.holds[key][0])
+        self.memory.tell(touched, Held("lost", key))
         return self.memory.lost(state, touched).having(dict.fromkeys(same, state.holds[key]))
 
     def _unpack(self, target: Items, held: Held, state: State) -> State:
