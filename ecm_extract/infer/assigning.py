@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import MOVED, Call, Expr, Items, Member, Name, Op, Opaque, Text
+from ecm_parsers.source.expr import MOVED, Call, Expr, Items, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names
-from ecm_extract.infer.effects import is_plain
+from ecm_extract.infer.effects import is_element, is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.places import target_of
@@ -52,7 +52,7 @@ class Assigning:
         if isinstance(value, Opaque) or own_way:
             return self.bind(target, Held("lost", "", None, env, at), state)
         state = self._placed(value, state)
-        self._refer_through(target, value)
+        self._refer_through(target, value, env)
         self._refer_by_pointer(statement, state)
         state = self.bind(target, Held("value", "", value, env, at), state)
         return self._from_before(target, state) if statement.kept else state
@@ -120,14 +120,19 @@ class Assigning:
             self.memory.sharing.refer(self.frame.effects.key(item), self.frame.effects.root(value))
         return self.bind(target, Held("value", "", value, env, at), state)
 
-    def _refer_through(self, target: Expr | None, value: Expr | None) -> None:
-        """`auto it = table.find(key);`: who writes to `it->second` changes the table, and the other way round."""
-        key, calls = self.frame.effects.key(target), self.frame.effects.calls
-        callee = value.callee if isinstance(value, Call) and not self.frame.python else None
-        if key and isinstance(callee, Member) and callee.name in calls.iterators | calls.searching:
-            for part in self.frame.outline.changes:
-                if part.startswith(f"{key}."):
-                    self.memory.sharing.refer(part, self.frame.effects.root(callee.base))
+    def _refer_through(self, target: Expr | None, value: Expr | None, env: Env) -> None:
+        """`auto it = table.find(key);`: who writes to `it->second` changes the table, and the other way round.
+
+        So does who writes to a field of what an element points to: `auto part = parts[0]; part->name = "b";`.
+        """
+        key, effects = self.frame.effects.key(target), self.frame.effects
+        parts = [part for part in self.frame.outline.changes if part.startswith(f"{key}.")] if key else []
+        root = effects.root(value) if parts and not self.frame.python else ""
+        callee = value.callee if isinstance(value, Call) else None
+        found = isinstance(callee, Member) and callee.name in effects.calls.iterators | effects.calls.searching
+        if root and value and (found or (is_element(value) and self.frame.judge.may_point(value, env))):
+            for part in parts:
+                self.memory.sharing.refer(part, root)
 
     def _refer_by_pointer(self, let: Statement, state: State) -> None:
         """`auto b = a;` of a pointer: what one points to, the other does, of raw ones whoever made the object."""
@@ -183,6 +188,8 @@ class Assigning:
         if self.frame.python:
             return self.memory.in_part(key, state.holds[key][0], state) if "." in key else state
         same, touched = self.memory.sharing.meant(key, state)
+        self.memory.tell(same - {key}, state.holds[key][0])
+        self.memory.tell(touched, Held("lost", key))
         return self.memory.lost(state, touched).having(dict.fromkeys(same, state.holds[key]))
 
     def _unpack(self, target: Items, held: Held, state: State) -> State:
@@ -255,6 +262,12 @@ class Assigning:
                 yield effects.root(callee.base)
             for arg in value.args:
                 yield from self._iterated(arg)
+
+    def enter(self, each: Statement, state: State) -> None:
+        """Note that the variable of a loop is a part of what the loop is over, or points to one."""
+        self.memory.sharing.enter(each)
+        if each.value is not None and not self.frame.python:
+            self._refer_through(each.target, Op("[]", (each.value, Number(0))), self.frame.place(state))
 
     def element(self, each: Statement, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to any element."""

@@ -214,7 +214,7 @@ class Effects:
 
     def _on_receiver(self, call: Call, callee: Member, at: int) -> Iterator[Effect]:
         if callee.name not in self.calls.changing:
-            if _is_element(callee.base) and self._changes_object(call, at):
+            if is_element(callee.base) and self._changes_object(call, at):
                 yield Effect("reached", self.root(callee.base), call)
             return
         key = self.key(callee.base)
@@ -300,7 +300,7 @@ class Effects:
             yield Effect("out", key + each.removeprefix(name), call, each)
 
 
-def _is_element(expr: Expr) -> bool:
+def is_element(expr: Expr) -> bool:
     """Whether an object of C++ is one of several, or lies in one: `rows[0]`, `rows.back().part`."""
     while isinstance(expr, Member):
         expr = expr.base

@@ -147,6 +147,8 @@ class Interpreter:
         own = (self.memory.declared_in(step.body) | set(step.params)) - {""}  # a parameter may have no name
         inside = self.memory.changed_in(step.body) - own
         self.memory.escaped |= inside
+        for key in filter(self.memory.is_open, inside):
+            self.frame.run.shown[key] += state.holds.get(key, ())  # as long as it does not run
         again = {key for key in state.holds if self.frame.outline.changes.get(key, 0) > 1}
         shared = {key: (Held("shared", key),) for key in again | inside if self.memory.is_open(key)}
         start = self.memory.lost(self.memory.reached(inside, state), again | own).having(shared)

@@ -102,6 +102,9 @@ class Judge(Targets, Protocol):
     def assigns_own_way(self, target: Expr | None, env: Env) -> bool:
         """Tell whether the class of an object of C++ says what an assignment to it does."""
 
+    def may_point(self, expr: Expr, env: Env) -> bool:
+        """Tell whether what an expression of C++ is may be a pointer: its type says so, or is not known."""
+
     def kept_arguments(self, call: Call, env: Env) -> Sequence[Kept]:
         """Return the arguments of a call of C++ to which some object keeps a reference or pointer."""
 

@@ -40,7 +40,7 @@ class Looping:
             return self._blur(loop, state)
         self.calling.giving.note(each, loop.each, self.frame.place(state), state)
         state = self._begun(loop, state)
-        self.memory.sharing.enter(each)
+        self.assigning.enter(each, state)
         self.exits.enter_loop()
         current: State | None = state
         for item in items:
@@ -113,7 +113,9 @@ class Looping:
 
     def _blur(self, loop: Loop, state: State) -> State | None:
         """Run the body once with what it changes unknown, which stands for any number of rounds."""
-        state = self._begun(loop, state) if loop.each >= 0 else state
+        if loop.each >= 0:
+            state = self._begun(loop, state)
+            self.assigning.enter(self.frame.body[loop.each], state)
         before, changed = self.calling.before_rounds((*loop.body, *loop.step), state)
         changed |= {key for block in (loop.body, loop.step) for key in self.memory.changed_in(block)}
         start = self.memory.lost(before, changed)
@@ -121,7 +123,6 @@ class Looping:
         self.exits.enter_loop()
         inside = self.frame.undecided(start)
         if loop.each >= 0:
-            self.memory.sharing.enter(self.frame.body[loop.each])
             inside = self.assigning.element(self.frame.body[loop.each], loop.each, inside)
         self.frame.blurred += 1
         after = joined_states([self.blocks.run(loop.body, inside), *self.exits.next_round()])

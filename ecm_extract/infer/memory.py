@@ -12,6 +12,7 @@ from ecm_parsers.source.flow import Block, statements
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.places import ALL_FIELDS, owners, wholes
+from ecm_extract.infer.pointing import is_address, refers
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.sharing import Sharing
 
@@ -73,6 +74,12 @@ class Memory:
         self.frame.run.shown[key].append(held)
         return Held("shared", key)
 
+    def tell(self, names: Iterable[str], held: Held) -> None:
+        """Show others what variables of theirs hold that a lambda of C++ changes by another name of them."""
+        for name in names if not self.frame.python else ():
+            if name in self.escaped and self.is_open(name):
+                self.frame.run.shown[name].append(held)
+
     def lost(self, state: State, keys: Iterable[str]) -> State:
         """The state in which nobody knows what some variables hold; what they were made as is kept."""
         lost = {key: (Held("lost", key, before=state.holds.get(key, ())),) for key in keys if key}
@@ -104,6 +111,8 @@ class Memory:
         else:
             alike, others = self.sharing.meant(key, state)
         others = {name for name in others - alike if name in state.holds or (self.frame.python and self.is_open(name))}
+        self.tell(alike - {key}, held)
+        self.tell(others, Held("lost", key))
         if self.escaped & alike:
             held = self._seen_by_others(key, held)
         if held.length >= MAX_LENGTH:
@@ -227,10 +236,11 @@ class Memory:
         return found
 
     def _refer(self, let: Statement) -> None:
-        """Note a reference of C++ that is declared among steps which may run again."""
-        if let.kind == "let" and let.type.endswith("&") and not self.frame.python:
-            effects = self.frame.effects
-            self.sharing.refer(effects.key(let.target), effects.root(let.value), effects.key(let.value))
+        """Note a reference of C++, or a pointer, that is declared among steps which may run again."""
+        if refers(let) and not self.frame.python:
+            effects, value = self.frame.effects, let.value
+            whole = effects.key(value) if not is_address(value) else ""
+            self.sharing.refer(effects.key(let.target), effects.root(value), whole)
 
     def _changed_by(self, at: int) -> Set[str]:
         found = self.frame.outline.changed_by(at)

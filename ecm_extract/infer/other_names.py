@@ -11,7 +11,7 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.places import target_of
-from ecm_extract.infer.pointing import is_address
+from ecm_extract.infer.pointing import is_address, refers
 from ecm_extract.link.code.spelling import by_value
 
 if TYPE_CHECKING:
@@ -37,6 +37,12 @@ def changed_by_other_names(outline: Outline) -> Set[str]:
     return frozenset(_changed(outline, named)) if named else frozenset()
 
 
+def changed_around(outline: Outline) -> Set[str]:
+    """Return the variables around a function of C++ that it may change by references and pointers to them."""
+    named = _names(outline, lambda key: key.partition(".")[0] not in outline.effects.own, refers)
+    return frozenset(_changed(outline, named)) if named else frozenset()
+
+
 def changed_as_others(outline: Outline, parameter: str) -> Set[str]:
     """Return the parameter of a body, or fields of it, that the body may change by variables that it has them in."""
     named = _names(outline, lambda key: key.partition(".")[0] == parameter)
@@ -53,10 +59,13 @@ def _changed(outline: Outline, named: Mapping[str, Set[_Named]]) -> Iterator[str
                 yield name.key if name.is_element else f"{name.key}{dot}{rest}"
 
 
-def _names(outline: Outline, is_wanted: Callable[[str], bool]) -> Mapping[str, Set[_Named]]:
+def _names(
+    outline: Outline, is_wanted: Callable[[str], bool], binds: Callable[[Statement], bool] = lambda entry: True
+) -> Mapping[str, Set[_Named]]:
     """Variable -> what it may be another name of, by any of the statements that bind it."""
     kinds = _BINDING_OF_PYTHON if outline.python else _BINDING
-    bindings = [entry for entry in outline.func.fact.body if entry.kind in kinds and not _is_copy(entry, outline)]
+    entries = (entry for entry in outline.func.fact.body if entry.kind in kinds and binds(entry))
+    bindings = [entry for entry in entries if not _is_copy(entry, outline)]
     found: dict[str, set[_Named]] = defaultdict(set)
     while any(_note(entry, outline, found, is_wanted) for entry in bindings):
         pass

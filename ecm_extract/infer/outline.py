@@ -14,7 +14,7 @@ from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks, steps
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import Effect, Effects, is_plain
 from ecm_extract.infer.inner import function_named, only_called
-from ecm_extract.infer.other_names import changed_by_other_names
+from ecm_extract.infer.other_names import changed_around, changed_by_other_names
 from ecm_extract.infer.places import caught_names, own_names, target_of
 from ecm_extract.infer.raising import may_raise
 from ecm_extract.infer.raising_calls import unpacks
@@ -292,18 +292,19 @@ class Outline:
             yield self.effects.key(target) or self.effects.root(target)
 
     def _changed_inside(self, func: Func, bound: bool = False) -> Iterator[str]:
-        own = own_names(func.fact, self.python)
-        inner = Effects(func, own, self.effects.targets)
+        outline = Outline(func, {}, (), self.effects.targets)
+        inner = outline.effects
+        keys: list[str] = [] if self.python else [*changed_around(outline)]
         for at, statement in enumerate(func.fact.body):
             targets = [statement.target] if statement.kind in {"set", "each"} else []
-            keys = [inner.key(target) or inner.root(target) for target in targets]
+            keys += [inner.key(target) or inner.root(target) for target in targets]
             keys += [effect.key for effect in inner.of(at) if not bound and not self._is_text(effect)]
             shown = statement.kind == "return" and not bound and "reference" in func.fact.traits
             keys += [inner.root(statement.value)] if shown else []  # who calls it may change what it shows
-            for key in keys:
-                if key.split(".")[0] not in own:
-                    own_or_dotted = key in self.effects.own or "." in key
-                    yield key if own_or_dotted or not self.effects.is_member(key) else f".{key}"
+        for key in keys:
+            if key.split(".")[0] not in inner.own:
+                own_or_dotted = key in self.effects.own or "." in key
+                yield key if own_or_dotted or not self.effects.is_member(key) else f".{key}"
 
     def _is_text(self, effect: Effect) -> bool:
         """Whether somebody only gets a variable that is declared as a literal text, which nobody can change."""

@@ -99,7 +99,13 @@ class Sharing:
         roots = self.roots(keys)
         if self.outline.python:
             return keys | roots
+        roots |= {self._meant_by(whole, key) for key in keys for whole in wholes(key) if whole in self._roots}
         return keys | roots | {part for key in keys | roots for part in self.parts(key)}
+
+    def _meant_by(self, reference: str, key: str) -> str:
+        """What a field of a reference is: `conf_.t` of `q.t` with `auto & q = conf_`, else all that it is in."""
+        root = self._roots[reference]
+        return root + key.removeprefix(reference) if self._same.get(reference) == root else root
 
     def parts(self, key: str) -> set[str]:
         """Return the references to a variable, and its parts."""

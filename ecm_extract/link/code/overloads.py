@@ -8,6 +8,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, 
 from ecm_parsers.source.facts import Parameter
 
 from ecm_extract.link.code.calls import Invocation, spreads
+from ecm_extract.link.code.overload_ranks import not_outranked
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Func
 
@@ -36,8 +37,16 @@ def score(call: Invocation, func: Func) -> int:
 
 def fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
     """Return the functions with a body that a call can mean, best first."""
-    scored = [(score(call, func), func) for func in funcs if _has_body(func)]
-    return [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
+    scores = {func: fit for func in funcs if _has_body(func) and (fit := score(call, func)) != NO}
+    return sorted(not_outranked(call, list(scores)), key=lambda func: -scores[func])
+
+
+def best(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
+    """Return the functions that a call fits best."""
+    scores = {func: fit for func in funcs if (fit := score(call, func)) != NO}
+    found = not_outranked(call, list(scores))
+    most = max((scores[func] for func in found), default=NO)
+    return [func for func in found if scores[func] == most]
 
 
 def _has_body(func: Func) -> bool:
@@ -88,6 +97,8 @@ def _fit(arg: Expr, parameter: Parameter, caller: Func, func: Func) -> int:
 def _text_fit(last: str) -> int:
     if "string" in last or last == "char":
         return 2
+    if last == "bool":
+        return 0  # an address is true
     return NO if last in _NUMERIC or last[:1].isupper() else 0
 
 

@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.overloads import NO, score
+from ecm_extract.link.code.overloads import NO, best, score
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.closures import around, handed_to, is_returned, uses, uses_handed
@@ -84,12 +84,10 @@ class CallTargets:
         known = self._targets.get(call)
         if known is None:
             seen = self.folder.program.seen_functions(call.last, call.func.file)
-            scored = [(score(call, func), func) for func in seen]
-            fitting = [(fit, func) for fit, func in scored if fit != NO and self._visible(call, func)]
-            if call.simple and any(func.cls is not None for _, func in fitting):
-                fitting = [(fit, func) for fit, func in fitting if func.cls is not None]  # members hide functions
-            best = max((fit for fit, _ in fitting), default=0)
-            known = self._targets[call] = _own_first(call, [func for fit, func in fitting if fit == best])
+            visible = [func for func in seen if score(call, func) != NO and self._visible(call, func)]
+            if call.simple and any(func.cls is not None for func in visible):
+                visible = [func for func in visible if func.cls is not None]  # members hide functions
+            known = self._targets[call] = _own_first(call, best(call, visible))
         return known
 
     def _visible(self, call: Invocation, func: Func) -> bool:

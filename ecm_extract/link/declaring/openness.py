@@ -8,7 +8,8 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Member, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.own import is_own_member, own_name
-from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.pointed import makes_pointed
+from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.texts import is_text_type
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import children
@@ -151,9 +152,15 @@ def _parent(expr: Expr, member: str) -> Expr:
 
 def _below_what(expr: Expr | None, makers: Set[str]) -> Expr | None:
     """The handle, or the namespace, that a handle is made of which is written out."""
-    while isinstance(expr, Call) and expr.args and last_name(own_name(expr.callee)) in makers:
+    while isinstance(expr, Call) and expr.args and _made_by(expr) in makers:
         expr = expr.args[0]
     return expr.operands[0] if isinstance(expr, Op) and expr.op == "&" else expr
+
+
+def _made_by(call: Call) -> str:
+    """The last name of what a call makes, be it behind a pointer: `std::make_shared<ros::NodeHandle>(x, "in")`."""
+    last = last_name(own_name(call.callee))
+    return last_name(plain(call.types[0])) if makes_pointed(last) and call.types else last
 
 
 def _names(expr: Expr | None) -> Iterator[str]:
@@ -203,9 +210,10 @@ def _is_handle(name: str, func: Func) -> bool:
 
 def _below(statement: Statement) -> Expr | None:
     """The handle that a variable of a body is made below: `ros::NodeHandle inner(outer, "inner")`."""
-    if statement.kind != "let" or "NodeHandle" not in statement.type or not isinstance(statement.value, Call):
+    made = statement.value if statement.kind == "let" else None
+    if not isinstance(made, Call) or not ("NodeHandle" in statement.type or _made_by(made) == "NodeHandle"):
         return None
-    return next(iter(statement.value.args), None)
+    return _below_what(next(iter(made.args), None), {"NodeHandle"})
 
 
 def _unknown(value: Value) -> Iterator[str]:

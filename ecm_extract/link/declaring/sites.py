@@ -313,7 +313,7 @@ class Sites:
     def _in_made(self, place: Env, cls: Cls, call: Invocation, outer: Env) -> Env:
         """A statement of a method, of an object that a call makes."""
         func = place.func
-        constructor = self.folder.objects.constructor(cls, len(call.args))
+        constructor = self.folder.objects.constructor(cls, call)
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._types.of_class(cls, call, outer)
         made = Instance(cls, args, types, constructor, exact=True)

@@ -107,7 +107,7 @@ class WaysIn:
         """The place of a call in a constructor, or in a method, of the object of a class that a call makes."""
         func = following.func
         begins = func.is_constructor and func.cls is cls
-        maker = func if begins else self.folder.objects.constructor(cls, len(link.args))
+        maker = func if begins else self.folder.objects.constructor(cls, link)
         given = bind(maker, link, env) if maker is not None else {}
         made = Instance(cls, given, self.types.of_class(cls, link, env), maker, exact=True)
         types = self.types.of_function(func, link, env)

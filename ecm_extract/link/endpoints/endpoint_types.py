@@ -14,6 +14,7 @@ from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.endpoints.asked_types import AskedElsewhere, asked_type
 from ecm_extract.link.endpoints.message_fields import written_type
 from ecm_extract.link.folding.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
+from ecm_extract.link.folding.declared_numbers import as_spelled
 from ecm_extract.link.folding.durations import counted
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.interfaces.types import Types
@@ -53,6 +54,7 @@ class EndpointTypes:
         known = known or self._partly_text(default, site.env) or self._of_environment(default, site.env)
         if known is None and default is None:
             known = self._asked.type_of(name_argument(site.form, site.call), site.call)
+        data = as_spelled(data) if site.env.func.file.language == "cpp" else data
         return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else held_default(data, known)
 
     def _data(self, default: Expr | None, env: Env) -> Any:

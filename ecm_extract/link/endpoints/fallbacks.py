@@ -10,7 +10,7 @@ from typing import Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
-from ecm_extract.infer.held import Held
+from ecm_extract.infer.held import Held, all_ways
 from ecm_extract.link.code.own import own_name
 from ecm_extract.link.declaring.handed_instead import handed_instead
 from ecm_extract.link.declaring.instead import assigned_instead, goes_on, is_denied, is_made_over, returned_instead
@@ -38,7 +38,7 @@ def _fallback(site: Site, at: int, folder: Folder) -> Expr | None:
     instead = returned_instead(site.call, out)
     if instead is not None or site.form.default or not isinstance(out, Name | Member):
         return instead
-    if is_made_over(site.call, out):
+    if is_made_over(site.call, out) or _is_of_another(out, site, folder):
         return None
     if goes_on(site.call):
         return _held_before(out, site.env, folder)
@@ -46,6 +46,12 @@ def _fallback(site: Site, at: int, folder: Folder) -> Expr | None:
         return assigned_instead(site.call, out, at) or handed_instead(site.call, out)
     plainly = isinstance(site.call.statement.value, Call) and site.call.statement.kind == "do"
     return _held_before(out, site.env, folder) if plainly else None
+
+
+def _is_of_another(out: Name | Member, site: Site, folder: Folder) -> bool:
+    """Tell whether the variable has what another parameter was, or the default that belongs to that."""
+    before = (held for helds in folder.flow.ways(out, site.env) for held in all_ways(helds))
+    return any(held.how == "read" and held.expr != site.call.args[0] for held in before)
 
 
 def _held_before(out: Name | Member, env: Env, folder: Folder) -> Expr | None:

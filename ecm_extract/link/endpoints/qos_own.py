@@ -47,7 +47,7 @@ class OwnProfiles:
     def _of_class(self, cls: Cls, expr: Call, call: Invocation, env: Env, level: int) -> Policies | None:
         """What the nearest constructor makes; without any in the tree it is that of the library."""
         python = cls.file.language == "python"
-        maker = self.folder.objects.constructor(cls, len(call.args))
+        maker = self.folder.objects.constructor(cls, call)
         if maker is None or maker.cls is None:
             return self.made.of_call(_PROFILE, expr, env, level + 1) if python else None
         place = Env(maker, 0, bind(maker, call, env), this=cls, depth=env.depth + 1)

@@ -17,6 +17,10 @@ from ecm_extract.link.code.numbers import BITS, WITHOUT_SIGN
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.values import Value, constant, unknown
 
+_DIGITS: Final = 9
+"""Digits that tell each `float` from all others ([numeric.limits.members], `max_digits10`)."""
+_LONG: Final = 12
+"""Characters of a fraction that nobody writes as it is."""
 _OTHER: Final = frozenset("*[<")
 """What stands in the types of pointers, arrays and templates."""
 _WORDS: Final = frozenset({"unsigned", "signed", "const", "constexpr", "static", "volatile"})
@@ -81,6 +85,17 @@ def held_as(data: Any, name: str) -> Any:
     wrapped = whole % 2**bits
     wrapped -= 2**bits if name not in WITHOUT_SIGN and wrapped >= 2 ** (bits - 1) else 0
     return data if type(data) is int and wrapped == data else wrapped
+
+
+def as_spelled(data: Any) -> Any:
+    """Return the shortest number that a `float` holds alike: 0.1 of what `0.1f` is, as people write and read it."""
+    if isinstance(data, list):
+        return [as_spelled(each) for each in data]
+    long = isinstance(data, float) and not data.is_integer() and len(repr(data)) > _LONG
+    if not long or _fraction(data, "float") != data:
+        return data
+    texts = (f"{data:.{digits}g}" for digits in range(1, _DIGITS + 1))
+    return next((float(text) for text in texts if _fraction(float(text), "float") == data), data)
 
 
 def _fraction(data: float, name: str) -> Any:

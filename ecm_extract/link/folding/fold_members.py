@@ -343,5 +343,7 @@ def _is_as_given(held: Held) -> bool:
 
 
 def _makes(held: Held) -> bool:
-    """Tell whether a value does not depend on what was there before."""
-    return held.how in {"value", "each", "part"}
+    """Tell whether a value does not depend on what was there before, and is given before anybody else asks for it."""
+    body = held.env.func.fact.body if held.env is not None else ()
+    later = 0 <= held.at < len(body) and body[held.at].deferred
+    return held.how in {"value", "each", "part"} and not later

@@ -12,7 +12,7 @@ from ecm_extract.link.code.units import Cls, File
 from ecm_extract.link.folding import formats
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.parameter_reads import ParameterRead
-from ecm_extract.link.running.values import Value, lowered, set_by, setting
+from ecm_extract.link.running.values import Value, alternatives, lowered, set_by, setting, unknown
 from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
@@ -28,10 +28,17 @@ class ParameterFolder:
         self.folder = folder
 
     def kept_value(self, name: Expr, kept: Sequence[Value], env: Env) -> tuple[Value, ...]:
-        """Return what a variable keeps that a parameter is read into which is not set."""
+        """Return what a variable keeps that a parameter is read into which is not set.
+
+        Where that is another parameter, or the default of one, which of both it is depends on who sets them.
+        """
         names = self.folder.fold(name, env)
         values = lowered(kept, "default")
-        return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
+        if names[0].confidence == "pattern":
+            return values
+        if any(value.parameter not in {"", names[0].text} for value in values):
+            return alternatives((*values, unknown(names[0].text)))
+        return set_by(names[0].text, values)
 
     def read_value(self, read: ParameterRead, env: Env) -> tuple[Value, ...]:
         """Return what a call gives that reads a parameter: a fallback only where its node does not declare that."""

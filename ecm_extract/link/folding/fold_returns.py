@@ -14,7 +14,7 @@ from ecm_extract.link.code.decorators import are_known, is_overload
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overloads import score
 from ecm_extract.link.code.own import is_own_member
-from ecm_extract.link.code.spelling import by_value
+from ecm_extract.link.code.spelling import by_value, plain
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.folding.fold_closures import ClosureFolder
@@ -225,9 +225,12 @@ def _receiver(call: Invocation) -> Expr:
 
 
 def _wanted(func: Func, at: int) -> str:
-    """Whether a function wants a text or a number in the place of an argument, nothing for others."""
-    params = func.fact.params
-    return kind_of_type(params[at].type) if at < len(params) else ""
+    """Whether a function wants a text or a number in the place of an argument, nothing for others.
+
+    A `bool` can be made of either.
+    """
+    written = func.fact.params[at].type if at < len(func.fact.params) else ""
+    return kind_of_type(written) if plain(written) != "bool" else ""
 
 
 def _beside_joined(values: list[Value]) -> list[Value]:

@@ -9,10 +9,10 @@ from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.places import as_written
-from ecm_extract.link.code.calls import Invocation, dotted_name
+from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.containers import PAIR, makes_tuple
 from ecm_extract.link.code.member_paths import lies_deep
-from ecm_extract.link.code.overloads import NO, score
+from ecm_extract.link.code.overloads import best
 from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
@@ -99,19 +99,13 @@ class StructureFolder:
         if bound is None or not isinstance(call, Items | Call) or cls is None or not cls.constructors:
             return []
         made = construction_of(cls, call, bound.env)
-        makers = ((maker, bind(maker, made, bound.env)) for maker in self._fitting(cls, made))
+        makers = ((maker, bind(maker, made, bound.env)) for maker in best(made, cls.constructors))
         return [Env(maker, this=cls, made=Instance(cls, args, {}, maker)) for maker, args in makers]
 
     def _class_made(self, made: Items | Call, base: Expr, place: Env, env: Env) -> Cls | None:
         if isinstance(made, Items):
             return self.folder.objects.class_of(base, env) if made.items else None
         return self.class_called(made, place)
-
-    def _fitting(self, cls: Cls, call: Invocation) -> list[Func]:
-        """The constructors that take the arguments of a call best."""
-        scores = {maker: score(call, maker) for maker in cls.constructors}
-        best = max(scores.values(), default=NO)
-        return [maker for maker, points in scores.items() if points == best != NO]
 
     def given(self, expr: Expr, env: Env) -> Value | None:
         """Return what is known of the fields of an object that may not be as its class declares it; None if it is."""
@@ -316,10 +310,11 @@ class StructureFolder:
         if not isinstance(whole.expr, Items | Call):
             return None
         cls = self._class_made(whole.expr, expr.base, whole.env, env)
-        makers = self._fitting(cls, construction_of(cls, whole.expr, whole.env)) if cls is not None else []
-        if cls is None or len(makers) != 1:
+        made = construction_of(cls, whole.expr, whole.env) if cls is not None else None
+        makers = best(made, cls.constructors) if cls is not None and made is not None else []
+        if cls is None or made is None or len(makers) != 1:
             return None
-        args = bind(makers[0], construction_of(cls, whole.expr, whole.env), whole.env)
+        args = bind(makers[0], made, whole.env)
         ways = left_by_constructors(expr.name, Instance(cls, args, {}, makers[0]), env, self.folder)
         held = ways[0] if len(ways) == 1 and ways[0].how == "value" else None
         return Bound(held.expr, held.env) if held is not None and held.expr is not None and held.env else None

@@ -112,8 +112,9 @@ class Handles:
             return None
         if isinstance(expr, Call):
             return self._call(invocation_of(expr, env), env, depth) or self._of_other(expr, env)
-        if isinstance(expr, Op) and expr.op == "&":
-            return self._known(expr.operands[0], env, depth + 1)
+        if isinstance(expr, Op) and expr.op in {"&", "?:", "[]"}:  # one of several elements nobody tells apart
+            chosen = () if expr.op == "[]" else expr.operands[expr.op == "?:" :]
+            return _agreed([self._known(each, env, depth + 1) for each in chosen])
         if isinstance(expr, Name):
             return self._name(expr, env, depth)
         return self._member(expr, env, depth) if isinstance(expr, Member) else OWN

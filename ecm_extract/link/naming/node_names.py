@@ -206,7 +206,7 @@ class NodeNames:
         found: list[NodeName | None] = []
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites.makes(call, cls) and call.func.cls is not cls:
-                constructor = self.folder.objects.constructor(cls, len(call.args))
+                constructor = self.folder.objects.constructor(cls, call)
                 if constructor is None:
                     return ()
                 given = bind(constructor, call, self.sites.root_env(call.func, call.at))

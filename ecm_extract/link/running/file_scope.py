@@ -46,6 +46,13 @@ class FileScope:
             return None
         return self.program.constant_named(name, func.file, func.scope)
 
+    def is_outside(self, name: str, func: Func) -> bool:
+        """Tell whether a name in a method, or in a lambda of one, means a variable of a namespace."""
+        cls = self.scope.nesting.object_of(func) if name.rpartition("::")[2] in self.program.constants else None
+        if cls is None or any(name in entry.fields for entry in self.program.ancestry(cls)):
+            return False
+        return self.meant(name, func) is not None
+
     def definitions(self, name: str, env: Env) -> list[Definition]:
         """Return the assignments of a variable in all functions that see it."""
         if not self.type_of(name, env):

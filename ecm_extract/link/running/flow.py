@@ -294,11 +294,7 @@ class Flow:
 
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""
-        program = self.folder.program
-        cls = self.folder.nesting.object_of(func) if name.rpartition("::")[2] in program.constants else None
-        if cls is None or any(name in entry.fields for entry in program.ancestry(cls)):
-            return False
-        return self.folder.objects.file_scope.meant(name, func) is not None
+        return self.folder.objects.file_scope.is_outside(name, func)
 
     def own_calls(self, env: Env) -> Sequence[Call]:
         """Return the calls of a statement that may run functions of the tree."""
@@ -319,6 +315,10 @@ class Flow:
     def assigns_own_way(self, target: Expr | None, env: Env) -> bool:
         """Tell whether the class of an object of C++ says what an assignment to it does."""
         return self.folder.own_copies.is_assigned(target, env)
+
+    def may_point(self, expr: Expr, env: Env) -> bool:
+        """Tell whether what an expression of C++ is may be a pointer: its type says so, or is not known."""
+        return not self.folder.objects.is_value(self.folder.objects.type_of(expr, env), env)
 
     def kept_arguments(self, call: Call, env: Env) -> Sequence[Kept]:
         """Return the arguments of a call of C++ to which some object keeps a reference or pointer."""

@@ -17,7 +17,7 @@ from ecm_extract.link.code.own import own_name
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import by_value, last_name, plain, pointee
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.env import Env, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -43,7 +43,7 @@ class KeptReferences:
         if cls is None:
             method = self.folder.flow.target(call, env.func, env.at) if isinstance(call.callee, Member) else None
             return self._by_function(method, call) if method is not None and method.cls is not None else ()
-        maker = self.folder.objects.constructor(cls, len(call.args))
+        maker = self.folder.objects.constructor(cls, invocation_of(call, env))
         if maker is not None:
             return self._by_function(maker, call)
         fields = enumerate(cls.fact.fields[: len(call.args)])

@@ -47,7 +47,7 @@ class KnownCallers:
         """Yield the calls by which a constructor is run, where it is the one that they mean."""
         made = self.making(func.cls) if self.making is not None and func.cls is not None else ()
         for call, place in made:
-            if func.cls is not None and self.folder.objects.constructor(func.cls, len(call.args)) is func:
+            if func.cls is not None and self.folder.objects.constructor(func.cls, call) is func:
                 yield call, place
 
     def of(self, func: Func) -> Sequence[Calling] | None:

@@ -188,7 +188,7 @@ class ObjectStates:
         written = pointed(call) or (made.path.replace(".", "::") if made.receiver is None else "")
         made = msgspec.structs.replace(made, args=given_to_pointed(made.last, made.args))
         cls = self.folder.objects.class_written(written, env) if written else None
-        maker = self.folder.objects.constructor(cls, len(made.args)) if cls is not None else None
+        maker = self.folder.objects.constructor(cls, made) if cls is not None else None
         if cls is None or maker is None or not maker.fact.body:
             return None
         args = bind(maker, made, env)

@@ -15,7 +15,7 @@ from ecm_extract.link.code.containers import (
     element_type,
     is_container,
 )
-from ecm_extract.link.code.overloads import fitting, is_countable
+from ecm_extract.link.code.overloads import best, fitting, is_countable
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.pointed import pointed as pointed_class
 from ecm_extract.link.code.spelling import by_value, is_pointer, last_name, plain, pointee, template_arguments
@@ -242,7 +242,7 @@ class Objects:
         if len(makers) != 1 and made.maker is not None:
             makers = [made.maker]
         calls = [call for call in (base_call(func, parent) for func in makers) if call is not None]
-        constructor = self.constructor(parent, len(calls[0].args)) if len(calls) == 1 else None
+        constructor = self.constructor(parent, calls[0]) if len(calls) == 1 else None
         if constructor is None:
             return Instance(parent, {}, types)
         env = Env(calls[0].func, args=made.args, this=made.cls, made=made)
@@ -255,7 +255,7 @@ class Objects:
                 break
             env = Env(made.maker, args=made.args, this=made.cls, made=made)
             call = base_call(made.maker, made.cls)
-            target = self.constructor(made.cls, len(call.args)) if call is not None else None
+            target = self.constructor(made.cls, call) if call is not None else None
             if call is None or target is None or target is made.maker:
                 break
             made = Instance(made.cls, bind(target, call, env.before(call.at)), made.types, target, made.exact)
@@ -265,18 +265,21 @@ class Objects:
         """Tell whether a call that makes an object may run a function: of constructors those that it means."""
         if not func.is_constructor or func.cls is not cls or is_countable(call, func):
             return True
-        maker = self.constructor(cls, len(call.args))
+        maker = self.constructor(cls, call)
         return maker is not None and base_call(maker, cls) is not None  # it leaves the work to another one
 
     def _meant(self, written: str, cls: Cls) -> str:
         """What a template argument in the head of a class stands for where the class is."""
         return self.program.alias(written, cls.file, cls.fact.scope) or written
 
-    def constructor(self, cls: Cls, count: int) -> Func | None:
-        """Return the constructor that takes `count` arguments best; a class without any has that of its base."""
+    def constructor(self, cls: Cls, call: Invocation) -> Func | None:
+        """Return the constructor that takes the arguments of a call best; a class without any has that of its base."""
         lineage = ([each for each in owner.methods if each.is_constructor] for owner in self.program.ancestry(cls))
         makers = [func for func in next(filter(None, lineage), ()) if "deleted" not in func.fact.traits]
-        fitting = [func for func in makers if len(func.params) >= count] or makers
+        if len(makers) < 2:
+            return makers[0] if makers else None
+        count = len(call.args)
+        fitting = best(call, makers) or [func for func in makers if len(func.params) >= count] or makers
         return min(fitting, key=lambda f: (abs(len(f.params) - count), "declaration" in f.fact.traits), default=None)
 
     # --- functions -------------------------------------------------------------------------------------
@@ -287,7 +290,7 @@ class Objects:
         function = self.callee(invocation_of(call, env), env) if not behind else None
         made = behind or (call.callee.id if isinstance(call.callee, Name) and env.func.file.language == "cpp" else "")
         cls = self.class_written(made, env) if made and function is None else None
-        return self.constructor(cls, len(call.args)) if cls is not None else function
+        return self.constructor(cls, invocation_of(call, env)) if cls is not None else function
 
     def callee(self, call: Invocation, env: Env) -> Func | None:
         """Return the function in the tree that a call means, with a body; of several that it can mean one."""

@@ -127,10 +127,10 @@ class PartObjects:
         """The constructor that an initialiser calls, with what it gets there."""
         value = place.func.fact.body[place.at].value
         given = value.args if isinstance(value, Call) and value.callee == Name(name) else (value,) if value else ()
-        maker = self.folder.objects.constructor(cls, len(given))
+        call = invocation_of(Call(Name(cls.fact.name), tuple(given)), place)
+        maker = self.folder.objects.constructor(cls, call)
         if maker is None or not maker.fact.body:
             return None
-        call = invocation_of(Call(Name(cls.fact.name), tuple(given)), place)
         args = bind(maker, call, place)
         return Env(maker, 0, args, this=cls, made=Instance(cls, args, {}, maker), depth=place.depth + 1)
 

@@ -12,6 +12,7 @@ from ecm_parsers.source.facts import Constant, Statement
 
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.places import whole_of
+from ecm_extract.infer.pointing import refers
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import plain
@@ -223,7 +224,7 @@ def _begins(target: Member, statement: Statement, func: Func) -> bool:
     return any(each.line <= statement.line <= each.end_line for each in owners)
 
 
-def _touched(method: Func) -> set[str]:
+def _touched(method: Func) -> Set[str]:
     """Names of members, or of what may be one, that a method assigns, calls a method of, or hands to somebody."""
     own = {parameter.name for parameter in method.fact.params}
     own |= {s.target.id for s in method.fact.body if s.kind == "let" and isinstance(s.target, Name)}
@@ -232,13 +233,17 @@ def _touched(method: Func) -> set[str]:
     for call in (call for calls in method.calls for call in calls):
         targets += [call.callee.base if isinstance(call.callee, Member) else None, *call.args]
     found = {name for target in targets if (name := _reached(target, own))}
-    return found | _meant(method, found) if method.file.language == "python" else found
+    if method.file.language == "python":
+        return _meant(method, found)
+    local = {name for target in targets if (name := _reached(target, set())) in own}
+    return found | (_meant(method, local) - own)
 
 
 def _meant(method: Func, names: Set[str]) -> Set[str]:
     """Names with those that they are bound to, or to what comes from them."""
-    known = set(names)
-    while more := {name for statement in method.fact.body for name in _bound_to(statement, known)} - known:
+    known, python = set(names), method.file.language == "python"
+    binding = [entry for entry in method.fact.body if python or refers(entry)]
+    while more := {name for entry in binding for name in _bound_to(entry, known)} - known:
         known |= more
     return known
 

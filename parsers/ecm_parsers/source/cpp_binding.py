@@ -132,7 +132,8 @@ class Binding:
 
     def _made(self, kind: Node, args: tuple[Expr, ...]) -> Call:
         """The call that makes an object of a type."""
-        return Call(Name(self.expr.name(kind)), args, (), self.expr.template_arguments(kind), line_of(kind))
+        made = Call(Name(self.expr.name(kind)), args, (), self.expr.template_arguments(kind), line_of(kind))
+        return self.expr.made(made)
 
 
 def _is_own_object(value: Node, bound: Node) -> bool:

@@ -46,7 +46,7 @@ class BodyReader:
         self.writer = StatementWriter()
         within = Changes(self.writer).within
         self.expr = ExprReader(data, self._lambda_body, self._called_lambda, self._handed_lambda, within)
-        self.expr.moved = self.writer.moved
+        self.expr.moved, self.expr.invoked = self.writer.moved, self.writer.invoked
         self.scope = scope
         self.declared = declared
         self.functions: list[Function] = []

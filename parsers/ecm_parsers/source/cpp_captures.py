@@ -8,10 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import msgspec
-
 from ecm_parsers.source.expr import Name
 from ecm_parsers.source.facts import Function
+from ecm_parsers.source.rewriting import rewritten
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -123,7 +122,13 @@ def capturing(functions: Sequence[Function], held: Mapping[str, str]) -> Sequenc
     """
     hidden = {name for function in functions for name in _declared(function)}
     names = {name: variable for name, variable in held.items() if name not in hidden}
-    return [_renamed(function, names) for function in functions] if names else functions
+    if not names:
+        return functions
+    return [rewritten(each, lambda part: _renamed(part, names)) for each in functions]
+
+
+def _renamed(part: Any, names: Mapping[str, str]) -> Name | None:
+    return Name(names[part.id]) if isinstance(part, Name) and part.id in names else None
 
 
 def _declared(function: Function) -> Iterator[str]:
@@ -131,15 +136,3 @@ def _declared(function: Function) -> Iterator[str]:
     for statement in function.body:
         if statement.kind in {"let", "each"} and isinstance(statement.target, Name):
             yield statement.target.id
-
-
-def _renamed(part: Any, names: Mapping[str, str]) -> Any:
-    """The same facts with other names of variables."""
-    if isinstance(part, Name):
-        return Name(names[part.id]) if part.id in names else part
-    if isinstance(part, tuple):
-        return tuple([_renamed(each, names) for each in part])
-    if not isinstance(part, msgspec.Struct):
-        return part
-    given = [(each, getattr(part, each)) for each in part.__struct_fields__]
-    return msgspec.structs.replace(part, **{each: _renamed(value, names) for each, value in given})

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.numbers import truncated
 from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.cpp_containers import given
+from ecm_parsers.source.cpp_invoking import gets_values, invoked
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
 from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.expr import (
@@ -41,8 +42,6 @@ _CASTS = frozenset(
         "reinterpret_cast",
         MOVED.text,
         "std::forward",
-        "std::ref",
-        "std::cref",
     }
 )
 
@@ -56,7 +55,7 @@ class ExprReader:
         called: called with each lambda that is called where it stands; gives the function that it is read as.
         handed: called with every other one; gives what it is where it is read as a function as well.
         own: variables that are the object at hand by another name.
-        moved: variables that were moved from since somebody emptied it.
+        moved, invoked: variables that were moved from, and what calls make somebody call, since somebody emptied them.
         changed: called with what changes a variable; gives what the expression gets, None for no change within one.
     """
 
@@ -75,6 +74,7 @@ class ExprReader:
         self.changed = changed
         self.own: set[str] = set()
         self.moved: list[Name] = []
+        self.invoked: list[Call] = []
         self._depth = 0
 
     def text(self, node: Node) -> str:
@@ -99,10 +99,18 @@ class ExprReader:
     @contextmanager
     def before(self) -> Iterator[None]:
         """Read what becomes statements before the one at hand: what that moves from is moved behind it."""
-        around = self.moved[:]
+        around = self.moved[:], self.invoked[:]
         self.moved.clear()
+        self.invoked.clear()
         yield
-        self.moved[:0] = around
+        self.moved[:0], self.invoked[:0] = around
+
+    def made(self, call: Call) -> Call:
+        """Return a call that was read; what it makes somebody call is a statement behind the one at hand."""
+        called = invoked(call)
+        if called is not None:
+            self.invoked.append(called)
+        return call
 
     def arguments(self, node: Node | None) -> tuple[Expr, ...]:
         """Return the expressions of an argument or initialiser list."""
@@ -173,11 +181,11 @@ def _call(reader: ExprReader, node: Node) -> Expr:
     callee = _called_lambda(reader, function) or reader.read(function)
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
     types = reader.template_arguments(function)
-    return Call(callee, cast_arguments(reader, listed), (), types, last.start_point[0] + 1)
+    return reader.made(Call(callee, cast_arguments(reader, listed), (), types, last.start_point[0] + 1))
 
 
 def _called_lambda(reader: ExprReader, function: Node) -> Expr | None:
-    """`[&] { ... }()`: the name of the function that the lambda is read as; None for other callees."""
+    """`[&] { ... }()`: the name of the function that the lambda is read as; None for what is no lambda."""
     while function.type == "parenthesized_expression" and function.named_child_count == 1:
         function = function.named_children[0]
     if function.type != "lambda_expression" or reader.called is None or function.child_by_field_name("body") is None:
@@ -194,21 +202,15 @@ def _cast(value: Expr, types: tuple[str, ...]) -> Expr:
     return Number(whole) if whole is not None else value
 
 
-def _new(reader: ExprReader, node: Node) -> Expr:
+def _object(reader: ExprReader, node: Node) -> Expr:
+    """`new T(x)`, `T{x}`."""
     made = node.child_by_field_name("type")
     if made is None:
         return Opaque(reader.text(node)[:80])
-    args = reader.arguments(node.child_by_field_name("arguments"))
-    return Call(Name(reader.name(made)), args, (), reader.template_arguments(made), made.start_point[0] + 1)
-
-
-def _compound(reader: ExprReader, node: Node) -> Expr:
-    made = node.child_by_field_name("type")
-    if made is None:
-        return Opaque(reader.text(node)[:80])
-    name = reader.name(made)
-    args = given(name, reader.arguments(node.child_by_field_name("value")), braces=True)
-    return Call(Name(name), args, (), reader.template_arguments(made), made.start_point[0] + 1)
+    listed = node.child_by_field_name("arguments") or node.child_by_field_name("value")
+    name, braces = reader.name(made), listed is not None and listed.type == "initializer_list"
+    args = given(name, reader.arguments(listed), braces)
+    return reader.made(Call(Name(name), args, (), reader.template_arguments(made), made.start_point[0] + 1))
 
 
 def _binary(reader: ExprReader, node: Node) -> Expr:
@@ -271,6 +273,9 @@ def _last(reader: ExprReader, node: Node) -> Expr:
 
 
 def _lambda(reader: ExprReader, node: Node) -> Expr:
+    called = _called_lambda(reader, node) if gets_values(reader, node) else None
+    if called is not None:
+        return called
     if node.child_by_field_name("body") is not None:
         with reader.before():
             handed = reader.handed(node) if reader.handed is not None else None
@@ -321,8 +326,8 @@ _READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
     "dependent_name": _name,
     "field_expression": _field,
     "call_expression": _call,
-    "new_expression": _new,
-    "compound_literal_expression": _compound,
+    "new_expression": _object,
+    "compound_literal_expression": _object,
     "binary_expression": _binary,
     "assignment_expression": _assignment,
     "update_expression": _update,

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import MOVED, Expr, Items, Name
+from ecm_parsers.source.cpp_invoking import with_copies
+from ecm_parsers.source.expr import MOVED, Call, Expr, Items, Name
 from ecm_parsers.source.facts import Statement, StatementKind
-from ecm_parsers.source.flow import Block, FlowWriter, Step
+from ecm_parsers.source.flow import Block, FlowWriter, Later, Step
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -22,10 +23,12 @@ class StatementWriter:
         declared: the variables that were declared so far.
         lambdas: how many anonymous lambdas stand around it.
         moved: variables that the statement at hand moves from, which it leaves without a value ([lib.types.movedfrom]).
+        invoked: what it makes somebody call.
     """
 
     def __init__(self) -> None:
         self.moved: list[Name] = []
+        self.invoked: list[Call] = []
         self.statements: list[Statement] = []
         self.depth = 0
         self.lambdas = 0
@@ -49,8 +52,23 @@ class StatementWriter:
         self.statements.append(Statement(kind, line_of(node), value, target, declared, self.depth, later, kept))
         left = [each for each in dict.fromkeys(self.moved) if each != target and kind != "return"]
         self.moved.clear()
+        invoked = self.invoked[:]
+        self.invoked.clear()
+        for call in invoked:
+            self._add_later(node, call)
         for each in left:
             self.add("set", node, MOVED, each)
+
+    def _add_later(self, node: Node, call: Call) -> None:
+        """Add a call that runs any time from now on, with copies of variables as they are now."""
+        call, copies = with_copies(call, f"<call {len(self.statements)}>")
+        for name, copied in copies.items():
+            self.add("let", node, copied, Name(name), "auto")
+        self.begin()
+        self.lambdas += 1
+        self.add("do", node, call)
+        self.lambdas -= 1
+        self.step(Later(self.end()))
 
     def apart(self, node: Node, value: Expr, target: Expr, declared: str = "") -> int:
         """Add what a loop binds in each round, which is a step of that loop, and return its index."""

@@ -49,8 +49,8 @@ ROWS: list[tuple[str, Expr]] = [
     ("&C::f", Op("&", (Name("C::f"),))),
     ("{1, 2}", Items((Number(1), Number(2)))),
     (
-        "std::bind([](const Msg::SharedPtr m) {}, 1)",
-        Call(Name("std::bind"), (Lambda(("Msg::SharedPtr",)), Number(1)), line=1),
+        "std::bind([](const Msg::SharedPtr m) {}, _1)",
+        Call(Name("std::bind"), (Lambda(("Msg::SharedPtr",)), Name("_1")), line=1),
     ),
 ]
 

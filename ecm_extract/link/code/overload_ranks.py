@@ -1,0 +1,96 @@
+"""Which of several overloads of C++ is better for the arguments of a call, as far as their types are seen.
+
+Source: [over.match.best] and [over.ics.rank] of the C++ standard: a text in quotes becomes a `bool` rather than a
+`std::string`, as that is no conversion by a constructor; a template that fits is better than any conversion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from types import MappingProxyType
+from typing import Final
+
+from ecm_parsers.source.expr import Constant, Expr, Name, Number, Text
+from ecm_parsers.source.facts import Parameter
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.numbers import NUMBERS
+from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.units import Func
+
+_EXACT: Final = 3
+_CONVERTED: Final = 2
+_MADE: Final = 1
+"""By a constructor or a method of a class."""
+_KINDS: Final = MappingProxyType({**NUMBERS, "bool": "bool"})
+"""Types of numbers with what they hold: what a literal is beside that, its suffix says."""
+_CHARACTERS: Final = "char *"
+_TEXTS: Final = frozenset({"string", "string_view"})
+
+
+def not_outranked(call: Invocation, funcs: Sequence[Func]) -> Sequence[Func]:
+    """Return the functions that none of the same class or namespace is better than for a call of C++."""
+    if len(funcs) < 2 or call.func.file.language != "cpp" or not call.args:
+        return funcs
+    return [func for func in funcs if not any(_is_better(other, func, call) for other in funcs)]
+
+
+def _is_better(one: Func, other: Func, call: Invocation) -> bool:
+    if one is other or one.cls is not other.cls or one.fact.scope != other.fact.scope:
+        return False
+    better = False
+    for arg, left, right in zip(call.args, one.params, other.params, strict=False):
+        if left.type == right.type and not _is_of_template(left, one) and not _is_of_template(right, other):
+            continue
+        written = _type_given(arg, call.func)
+        first, second = _rank(written, left, one), _rank(written, right, other)
+        if first is None or second is None or first < second:
+            return False
+        better = better or first > second or (_is_of_template(right, other) and not _is_of_template(left, one))
+    return better
+
+
+def _type_given(arg: Expr, caller: Func) -> str:
+    """The type of an argument, in a short form; empty where it is not seen."""
+    if isinstance(arg, Text):
+        return _CHARACTERS
+    if isinstance(arg, Number):
+        return "int" if isinstance(arg.value, int) else "double"
+    if isinstance(arg, Constant):
+        return "" if arg.name == "null" else "bool"
+    if not isinstance(arg, Name):
+        return ""
+    member = caller.cls.fields.get(arg.id) if caller.cls is not None else None
+    written = caller.written_types.get(arg.id, member.type if member is not None else "")
+    last = last_name(plain(written))
+    if last == "auto" and not written.endswith("&"):
+        made = [each.value for each in caller.fact.body if each.target == arg and each.kind == "let"]
+        return _type_given(made[0], caller) if len(made) == 1 and isinstance(made[0], Text | Number | Constant) else ""
+    return _CHARACTERS if last == "char" and ("*" in written or "[" in written) else "" if "*" in written else last
+
+
+def _rank(given: str, parameter: Parameter, func: Func) -> int | None:
+    """How well a parameter takes what is of a type; None where that is not known."""
+    if _is_of_template(parameter, func):
+        return None if not given or _is_restricted(func) else _EXACT
+    wanted = last_name(plain(parameter.type))
+    if "*" in parameter.type or "[" in parameter.type:
+        return _EXACT if wanted == "char" and given == _CHARACTERS else None
+    if given in _KINDS:
+        return _EXACT if _KINDS.get(wanted) == _KINDS[given] else _CONVERTED if wanted in _KINDS else None
+    if given == _CHARACTERS:
+        return _CONVERTED if wanted == "bool" else _MADE if wanted in _TEXTS else None
+    return _EXACT if given and given == wanted else None
+
+
+def _is_of_template(parameter: Parameter, func: Func) -> bool:
+    """Whether a parameter is of the type that its argument has."""
+    own = func.fact.template if func.fact.specializes is None else ()
+    return (plain(parameter.type) in own or plain(parameter.type) == "auto") and "*" not in parameter.type
+
+
+def _is_restricted(func: Func) -> bool:
+    """Whether a template may not take all types: by parameters of it that no parameter of the function mentions."""
+    text = " ".join(parameter.type for parameter in func.fact.params)
+    unmentioned = any(not name or name not in text for name in func.own_template)
+    return unmentioned or "enable_if" in f"{text} {func.fact.returns}" or "..." in text
