@@ -27,6 +27,7 @@ from ecm_extract.infer.bare_names import bare_names, shared_names
 from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
+from ecm_extract.infer.reading_calls import leaves_arguments
 from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
@@ -162,7 +163,7 @@ class Effects:
             return
         target = self.targets.target(call, self.func, at)
         copies = isinstance(callee, Member) and last in self.calls.fluent
-        if target is None and (copies or self.calls.reads(last, callee, self.func.file.imported)):
+        if target is None and (copies or leaves_arguments(callee, self.func)):
             yield from self._by_calling(call, at) if self.python and last in self.calls.calling else ()
             return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
