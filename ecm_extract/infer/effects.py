@@ -32,7 +32,7 @@ from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
 from ecm_extract.link.code.spelling import last_name, may_be_written
-from ecm_extract.link.code.walk import calls_in, children, given_to
+from ecm_extract.link.code.walk import given_to
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
@@ -157,6 +157,7 @@ class Effects:
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
         changing = isinstance(callee, Member) and last in self.calls.changing
         library = last in self.calls.reading and isinstance(callee, Name) and callee.id != last  # `std::move`
+        yield from self._by_calling(call, at) if last in self.calls.calling else ()
         within = self._put_into(call)
         led = tuple(led_into(call, self.calls.giving)) if self.python else ()
         if not (passed or named or within or led) or library or changing:
@@ -164,7 +165,6 @@ class Effects:
         target = self.targets.target(call, self.func, at)
         copies = isinstance(callee, Member) and last in self.calls.fluent
         if target is None and (copies or leaves_arguments(callee, self.func)):
-            yield from self._by_calling(call, at) if self.python and last in self.calls.calling else ()
             return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
         if target is None and not own and self.targets.keeps(path):
@@ -180,15 +180,16 @@ class Effects:
             yield from (Effect("reached", key, call) for each in led if (key := self.key(each)))
 
     def _by_calling(self, call: Call, at: int) -> Iterator[Effect]:
-        """What `map` and the like do by the function that they call."""
-        for each in called_with_parts(call, lambda made: self._changes_given(made, at)):
+        """What `map` and the like of Python do by what they call: to what that gets, and to what it is a method of."""
+        if not self.python:
+            return
+        parameters = self.targets.parameters
+        for each in called_with_parts(call, lambda made: parameters.may_by(made, self.func, at)):
             if key := self.key(each):
-                yield Effect("reached", key, call)
-
-    def _changes_given(self, call: Call, at: int) -> bool:
-        target = self.targets.target(call, self.func, at)
-        may_change = self.targets.parameters.may
-        return target is not None and any(may_change(target, entry.name) for entry in target.fact.params[:1])
+                yield Effect("reached" if each in given_to(call) else "lost", key, call)
+        methods = (each for each in given_to(call) if isinstance(each, Member) and each.base != THIS)
+        bases = (each.base for each in methods if parameters.changes_object(each, self.func, at))
+        yield from (Effect("lost", root, call) for base in bases if (root := self.root(base)))
 
     def _put_into(self, call: Call) -> list[str]:
         """The variables of Python that a call gets in a list or table, or as one of several: `work([a], b or c)`."""
@@ -333,14 +334,3 @@ def is_plain(expr: Expr | None) -> bool:
     if isinstance(expr, Text | Number | Constant | Template | Lambda):
         return True
     return isinstance(expr, Op) and expr.op in {"%", "-", "*", "/", "//", "==", "!=", "<", ">", "!", "format"}
-
-
-def perhaps_called(expr: Expr | None) -> Iterator[Call]:
-    """Yield the calls that a value makes on one side of a choice only: `a.pop() if a else b`."""
-    if isinstance(expr, Op) and expr.op in {"?:", "&&", "||"}:
-        yield from perhaps_called(expr.operands[0])
-        for side in expr.operands[1:]:
-            yield from calls_in(side)
-        return
-    for part in children(expr) if expr is not None else ():
-        yield from perhaps_called(part)
