@@ -32,7 +32,7 @@ from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
 from ecm_extract.link.code.spelling import last_name, may_be_written
-from ecm_extract.link.code.walk import given_to
+from ecm_extract.link.code.walk import calls_in, given_to
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
@@ -157,7 +157,7 @@ class Effects:
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
         changing = isinstance(callee, Member) and last in self.calls.changing
         library = last in self.calls.reading and isinstance(callee, Name) and callee.id != last  # `std::move`
-        yield from self._by_calling(call, at) if last in self.calls.calling else ()
+        yield from self._by_functions(call, last, at)
         within = self._put_into(call)
         led = tuple(led_into(call, self.calls.giving)) if self.python else ()
         if not (passed or named or within or led) or library or changing:
@@ -179,15 +179,20 @@ class Effects:
         if led and (target is None or any(self.targets.parameters.may(target, entry.name) for entry in params)):
             yield from (Effect("reached", key, call) for each in led if (key := self.key(each)))
 
-    def _by_calling(self, call: Call, at: int) -> Iterator[Effect]:
-        """What `map` and the like of Python do by what they call: to what that gets, and to what it is a method of."""
-        if not self.python:
-            return
+    def _by_functions(self, call: Call, last: str, at: int) -> Iterator[Effect]:
+        """What functions of Python do that a call gets: lambdas to objects, others where `map` and the like call them.
+
+        They change what these give them, and what they are methods of.
+        """
+        given = given_to(call) if self.python else ()
+        called = [each.callee for made in given if isinstance(made, Lambda) for each in calls_in(made.body)]
         parameters = self.targets.parameters
-        for each in called_with_parts(call, lambda made: parameters.may_by(made, self.func, at)):
-            if key := self.key(each):
-                yield Effect("reached" if each in given_to(call) else "lost", key, call)
-        methods = (each for each in given_to(call) if isinstance(each, Member) and each.base != THIS)
+        if last in self.calls.calling:
+            for each in called_with_parts(call, lambda made: parameters.may_by(made, self.func, at)):
+                if key := self.key(each):
+                    yield Effect("reached" if each in given else "lost", key, call)
+            called += given
+        methods = (each for each in called if isinstance(each, Member) and each.base != THIS)
         bases = (each.base for each in methods if parameters.changes_object(each, self.func, at))
         yield from (Effect("lost", root, call) for base in bases if (root := self.root(base)))
 
