@@ -272,6 +272,8 @@ class Calling:
 
     def _keeps_its_text(self, held: Held) -> bool:
         """Whether nobody who gets a value can change it: texts and numbers of Python, literals of C++."""
+        if held.how == "given":
+            return self.memory.sharing.is_constant(held.name)
         if held.how != "value" or not is_plain(held.expr):
             return False
         written = self.frame.body[held.at].type if 0 <= held.at < len(self.frame.body) else ""
