@@ -10,17 +10,21 @@ import tomllib
 from collections.abc import Iterator
 from functools import cache
 from importlib.resources import files
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import msgspec
 from tree_sitter import Node
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Items, Lambda, Member, Name, Op, Table, Text
+from ecm_parsers.source.facts import Parameter
 from ecm_parsers.source.flow import Later
 from ecm_parsers.source.python_dataclasses import Imported
+from ecm_parsers.source.python_lambda import as_function, name_of_handed
 from ecm_parsers.source.python_partials import kept
 from ecm_parsers.source.python_scan import Scan
 
+_REST: Final = "rest*"
+"""What a partial is called with, beside what it keeps; no variable has such a name."""
 Place = tuple[str, int]
 """The keyword of an argument, and which one it is without that."""
 
@@ -36,6 +40,7 @@ class _Method(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class _Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    partials: frozenset[str]
     functions: dict[str, _Function]
     methods: dict[str, _Method]
 
@@ -56,17 +61,26 @@ def _table() -> _Table:
 
 @cache
 def _last_names() -> frozenset[str]:
-    return frozenset({name.rpartition(".")[2] for name in _table().functions} | _table().methods.keys())
+    named = {*_table().functions, *_table().partials}
+    return frozenset({name.rpartition(".")[2] for name in named} | _table().methods.keys())
 
 
-def later_call(scan: Scan, node: Node, call: Call) -> Call:
-    """Return a call with the lambda that it gets, where it is one of those; any other as it is."""
+def later_call(scan: Scan, node: Node, call: Call) -> Call | Lambda:
+    """Return a call with the lambda that it gets, where it is one of those; any other as it is.
+
+    A partial that somebody gets is one: `work(partial(f, x))` is `work(lambda *rest: f(x, *rest))`.
+    """
     callee = call.callee
     last = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
     if last not in _last_names() or scan.frame.place == "class":
         return call
     imported = Imported.of(scan.imports)
-    row = _table().functions.get(imported.full(scan.text(node.children[0])))
+    name = imported.full(scan.text(node.children[0]))
+    row = _table().functions.get(name)
+    if name in _table().partials and _is_argument(node) and _is_callable(call.args[:1]):
+        return _lambda(
+            scan, node, _Asked(call.args[0], (*call.args[1:], Op("*", (Name(_REST),))), call.keywords), _REST
+        )
     if row is not None:
         asked = _of_function(call, row)
         return _with_lambda(scan, node, call, row, asked) if asked is not None else call
@@ -74,6 +88,17 @@ def later_call(scan: Scan, node: Node, call: Call) -> Call:
         asked = _Asked(call.args[0], call.args[1:], call.keywords)
         return msgspec.structs.replace(call, args=(_lambda(scan, node, asked), *call.args[1:]))
     return call
+
+
+def _is_argument(node: Node) -> bool:
+    return node.parent is not None and node.parent.type in {"argument_list", "keyword_argument"}
+
+
+def _is_of_function(node: Node) -> bool:
+    """Whether an argument is one of a function; methods of the object keep it among what its own body does."""
+    listed = node.parent if node.parent is not None and node.parent.type == "argument_list" else None
+    called = listed.parent.child_by_field_name("function") if listed is not None and listed.parent is not None else None
+    return called is not None and called.type == "identifier"
 
 
 def _of_function(call: Call, row: _Function) -> _Asked | None:
@@ -105,18 +130,28 @@ def _with_lambda(scan: Scan, node: Node, call: Call, row: _Function, asked: _Ask
     return msgspec.structs.replace(call, args=(), keywords=keywords, keyword_lines=(call.line,) * len(keywords))
 
 
-def _lambda(scan: Scan, node: Node, asked: _Asked) -> Lambda:
+def _lambda(scan: Scan, node: Node, asked: _Asked, *names: str) -> Lambda:
+    """What somebody calls later: a function of its own where functions of the tree may get it (`python_lambda`)."""
     row, column = node.start_point
     place = f"{row + 1}:{column + 1}"
-    args = tuple([kept(scan, node, Name(f"value*{place}:{at}"), each) for at, each in enumerate(asked.args)])
+    args = tuple([_kept(scan, node, f"value*{place}:{at}", each, names) for at, each in enumerate(asked.args)])
     keywords = tuple([(key, kept(scan, node, Name(f"{key}*{place}"), each)) for key, each in asked.keywords])
     body = Call(asked.function, args, keywords, (), row + 1, (row + 1,) * len(keywords))
+    name = name_of_handed(scan, node) if names and _is_of_function(node) else ""
+    if name:
+        return as_function(scan, node, name, tuple([Parameter(f"*{each}") for each in names]), lambda: body)
     scan.frame.lambdas += 1
     scan.frame.flow.begin()
     scan.emit("do", node, body)
-    scan.frame.flow.add(Later(scan.frame.flow.end()))
+    scan.frame.flow.add(Later(scan.frame.flow.end(), names))
     scan.frame.lambdas -= 1
-    return Lambda((), (), body)
+    return Lambda(("",) * len(names), tuple([f"*{each}" for each in names]), body)
+
+
+def _kept(scan: Scan, node: Node, name: str, value: Expr, names: tuple[str, ...]) -> Expr:
+    """An argument as it is when the call is written; what the lambda itself gets is not known there."""
+    own = isinstance(value, Op) and value.op == "*" and any(value.operands == (Name(each),) for each in names)
+    return value if own else kept(scan, node, Name(name), value)
 
 
 def _is_method(scan: Scan, callee: Member, imported: Imported) -> bool:
