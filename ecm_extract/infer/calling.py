@@ -14,6 +14,7 @@ from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
 from ecm_extract.infer.run import Frame
+from ecm_extract.link.code.walk import given_to, last_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Env
@@ -63,12 +64,17 @@ class Calling:
         return self.memory.lost(after, lost)
 
     def _by_bound_methods(self, calls: Sequence[Call], state: State) -> State:
-        """The state after `put = names.append; put("x")`: nobody knows what such a method makes of its object."""
+        """The state after `put = names.append; put("x")`: nobody knows what such a method makes of its object.
+
+        So it is where `map` and the like call it.
+        """
+        calling = self.frame.effects.calls.calling
         for call in calls if self.frame.python else ():
-            ways = all_ways(state.holds.get(self.frame.effects.key(call.callee), ()))
-            bound = (held.expr.base for held in ways if held.how == "value" and isinstance(held.expr, Member))
-            for root in filter(None, map(self.frame.effects.root, bound)):
-                state = self.memory.in_place(root, Held("lost", root, before=state.holds.get(root, ())), state)
+            for each in (call.callee, *(given_to(call) if last_of(call.callee) in calling else ())):
+                ways = all_ways(state.holds.get(self.frame.effects.key(each), ()))
+                bound = (held.expr.base for held in ways if held.how == "value" and isinstance(held.expr, Member))
+                for root in filter(None, map(self.frame.effects.root, bound)):
+                    state = self.memory.in_place(root, Held("lost", root, before=state.holds.get(root, ())), state)
         return state
 
     def undone(self, at: int, before: State, state: State) -> State:
@@ -266,6 +272,8 @@ class Calling:
 
     def _keeps_its_text(self, held: Held) -> bool:
         """Whether nobody who gets a value can change it: texts and numbers of Python, literals of C++."""
+        if held.how == "given":
+            return self.memory.sharing.is_constant(held.name)
         if held.how != "value" or not is_plain(held.expr):
             return False
         written = self.frame.body[held.at].type if 0 <= held.at < len(self.frame.body) else ""

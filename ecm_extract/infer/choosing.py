@@ -9,10 +9,9 @@ from ecm_parsers.source.expr import Call, Expr, Op
 
 from ecm_extract.infer.branching import Branching
 from ecm_extract.infer.calling import Calling
-from ecm_extract.infer.effects import perhaps_called
 from ecm_extract.infer.held import State, joined_states
 from ecm_extract.infer.run import Frame
-from ecm_extract.link.code.walk import calls_in, children
+from ecm_extract.link.code.walk import calls_in, children, perhaps_called
 
 _CHOICES: Final = frozenset({"?:", "&&", "||"})
 MAX_CHOICES: Final = 4

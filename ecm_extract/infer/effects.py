@@ -27,11 +27,12 @@ from ecm_extract.infer.bare_names import bare_names, shared_names
 from ecm_extract.infer.led_into import called_with_parts, led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
+from ecm_extract.infer.reading_calls import leaves_arguments
 from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
 from ecm_extract.link.code.spelling import last_name, may_be_written
-from ecm_extract.link.code.walk import calls_in, children, given_to
+from ecm_extract.link.code.walk import calls_in, given_to
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
@@ -156,14 +157,14 @@ class Effects:
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
         changing = isinstance(callee, Member) and last in self.calls.changing
         library = last in self.calls.reading and isinstance(callee, Name) and callee.id != last  # `std::move`
+        yield from self._by_functions(call, last, at)
         within = self._put_into(call)
         led = tuple(led_into(call, self.calls.giving)) if self.python else ()
         if not (passed or named or within or led) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
         copies = isinstance(callee, Member) and last in self.calls.fluent
-        if target is None and (copies or self.calls.reads(last, callee, self.func.file.imported)):
-            yield from self._by_calling(call, at) if self.python and last in self.calls.calling else ()
+        if target is None and (copies or leaves_arguments(callee, self.func)):
             return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
         if target is None and not own and self.targets.keeps(path):
@@ -178,16 +179,22 @@ class Effects:
         if led and (target is None or any(self.targets.parameters.may(target, entry.name) for entry in params)):
             yield from (Effect("reached", key, call) for each in led if (key := self.key(each)))
 
-    def _by_calling(self, call: Call, at: int) -> Iterator[Effect]:
-        """What `map` and the like do by the function that they call."""
-        for each in called_with_parts(call, lambda made: self._changes_given(made, at)):
-            if key := self.key(each):
-                yield Effect("reached", key, call)
+    def _by_functions(self, call: Call, last: str, at: int) -> Iterator[Effect]:
+        """What functions of Python do that a call gets: lambdas to objects, others where `map` and the like call them.
 
-    def _changes_given(self, call: Call, at: int) -> bool:
-        target = self.targets.target(call, self.func, at)
-        may_change = self.targets.parameters.may
-        return target is not None and any(may_change(target, entry.name) for entry in target.fact.params[:1])
+        They change what these give them, and what they are methods of.
+        """
+        given = given_to(call) if self.python else ()
+        called = [each.callee for made in given if isinstance(made, Lambda) for each in calls_in(made.body)]
+        parameters = self.targets.parameters
+        if last in self.calls.calling:
+            for each in called_with_parts(call, lambda made: parameters.may_by(made, self.func, at)):
+                if key := self.key(each):
+                    yield Effect("reached" if each in given else "lost", key, call)
+            called += given
+        methods = (each for each in called if isinstance(each, Member) and each.base != THIS)
+        bases = (each.base for each in methods if parameters.changes_object(each, self.func, at))
+        yield from (Effect("lost", root, call) for base in bases if (root := self.root(base)))
 
     def _put_into(self, call: Call) -> list[str]:
         """The variables of Python that a call gets in a list or table, or as one of several: `work([a], b or c)`."""
@@ -332,14 +339,3 @@ def is_plain(expr: Expr | None) -> bool:
     if isinstance(expr, Text | Number | Constant | Template | Lambda):
         return True
     return isinstance(expr, Op) and expr.op in {"%", "-", "*", "/", "//", "==", "!=", "<", ">", "!", "format"}
-
-
-def perhaps_called(expr: Expr | None) -> Iterator[Call]:
-    """Yield the calls that a value makes on one side of a choice only: `a.pop() if a else b`."""
-    if isinstance(expr, Op) and expr.op in {"?:", "&&", "||"}:
-        yield from perhaps_called(expr.operands[0])
-        for side in expr.operands[1:]:
-            yield from calls_in(side)
-        return
-    for part in children(expr) if expr is not None else ():
-        yield from perhaps_called(part)

@@ -18,7 +18,6 @@ from ecm_extract.infer.branching import Branching
 from ecm_extract.infer.calling import Calling
 from ecm_extract.infer.choosing import Choosing
 from ecm_extract.infer.comprehending import Comprehending
-from ecm_extract.infer.effects import perhaps_called
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, State, either, joined_states
@@ -30,6 +29,7 @@ from ecm_extract.infer.raising_statements import RaisingStatements
 from ecm_extract.infer.read_into import ReadInto
 from ecm_extract.infer.routes import NOWHERE
 from ecm_extract.infer.run import Frame, Run
+from ecm_extract.link.code.walk import perhaps_called
 
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Env

@@ -40,9 +40,12 @@ def called_with_parts(call: Call, changes: Callable[[Call], bool]) -> Iterator[E
         call: the call.
         changes: tells whether a call may change its argument.
     """
-    functions = [arg for arg in call.args if isinstance(arg, Name | Member | Lambda)]
-    if any(changes(Call(_as_callee(each), (arg,))) for each in functions for arg in call.args if arg is not each):
-        yield from (name for arg in call.args for name in shared_names(arg))
+    given = given_to(call)
+    parts = (*given, call.callee.base) if isinstance(call.callee, Member) else given
+    functions = [arg for arg in given if isinstance(arg, Name | Member | Lambda)]
+    for arg in parts:
+        if any(changes(Call(_as_callee(each), (arg,))) for each in functions if each is not arg):
+            yield from shared_names(arg)
 
 
 def _name(call: Call) -> str:

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Set
 from dataclasses import dataclass
 from functools import cache
 from typing import Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Template, Text
 
-from ecm_extract.link.code.full_names import full_name
-from ecm_extract.link.code.walk import dotted
 from ecm_extract.shipped import shipped
 
 _ROWS: Final = (
     "changing",
     "reading",
+    "reading_methods",
     "reading_paths",
+    "logging_methods",
+    "loggers",
+    "built_in",
     "iterators",
     "calm",
     "writing",
@@ -33,7 +35,11 @@ class Calls:
 
     changing: Set[str]
     reading: Set[str]
+    reading_methods: Set[str]
     reading_paths: Set[str]
+    logging_methods: Set[str]
+    loggers: Set[str]
+    built_in: Set[str]
     iterators: Set[str]
     waiting: Set[str]
     calm: Set[str]
@@ -42,10 +48,6 @@ class Calls:
     fluent: Set[str]
     calling: Set[str]
     giving: Set[str]
-
-    def reads(self, last: str, callee: Expr, imported: Mapping[str, str]) -> bool:
-        """Tell whether a function leaves its arguments as they are, by the last part of its name or all of it."""
-        return last in self.reading or full_name(dotted(callee) or "", imported) in self.reading_paths
 
     def waits(self, call: Call) -> bool:
         """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""

@@ -29,6 +29,7 @@ class Sharing:
         self.effects = outline.effects
         self._roots: dict[str, str] = {}
         self._same: dict[str, str] = {}
+        self._constants: dict[str, bool] = {}
         self.consisting = Consisting(outline.effects)
 
     def refer(self, key: str, root: str, whole: str = "") -> None:
@@ -150,4 +151,14 @@ class Sharing:
 
     def _is_plain(self, name: str, state: State) -> bool:
         ways = all_ways(state.holds.get(name, ()))
-        return bool(ways) and all(held.how == "value" and is_plain(held.expr) for held in ways)
+        return all(held.how == "value" and is_plain(held.expr) for held in ways) if ways else self.is_constant(name)
+
+    def is_constant(self, name: str) -> bool:
+        """Tell whether a name that a function of Python does not give anything is a text or a number of its module."""
+        known = self._constants.get(name)
+        if known is None:
+            file, python = self.outline.func.file, self.outline.python
+            given = [each.value for each in file.facts.constants if each.name == name and not each.scope]
+            own = name in self.effects.own or name in file.imported or not python
+            known = self._constants[name] = bool(given) and not own and all(map(is_plain, given))
+        return known

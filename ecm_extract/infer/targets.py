@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Set
 from typing import TYPE_CHECKING, Protocol
 
-from ecm_parsers.source.expr import Call, Expr
+from ecm_parsers.source.expr import Call, Expr, Member
 
 from ecm_extract.infer.kinds import Exceptions
 
@@ -25,6 +25,12 @@ class Parameters(Protocol):
 
     def may(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of; in C++ the fields of that."""
+
+    def may_by(self, call: Call, func: Func, at: int) -> bool:
+        """Tell whether a call in a statement of a function, of one of the tree, may change its first argument."""
+
+    def changes_object(self, method: Member, func: Func, at: int) -> bool:
+        """Tell whether a method that a statement of a function of Python hands on may change what it is a method of."""
 
     def fields(self, func: Func, name: str) -> Set[str] | None:
         """Return the fields of a parameter that a function changes, by key; None where it may do anything to it."""

@@ -36,9 +36,9 @@ from ecm_extract.link.endpoints.stamps import Stamp, stamps
 from ecm_extract.link.folding.data import UNKNOWN, stated_type
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.placing import placed
-from ecm_extract.link.index.members_of_bases import settle_members_of_bases
 from ecm_extract.link.index.module_kinds import is_managed
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.index.settling import settle
 from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.naming.handles import Handle, Handles
 from ecm_extract.link.naming.host_arguments import HostArguments
@@ -106,7 +106,7 @@ class Linker:
         packages = self.packages = sorted(packages, key=lambda package: package.root.path)
         files = files_of(packages)
         self.program = Program(files, Sight(packages, files), layouts(packages))
-        settle_members_of_bases(self.program)
+        settle(self.program)
         self.parameters = Parameters(forms)
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
         self.types = Types(self.folder)

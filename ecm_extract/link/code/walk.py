@@ -78,6 +78,17 @@ def _collect(expr: Expr, found: list[Call]) -> None:
         found.append(expr)
 
 
+def perhaps_called(expr: Expr | None) -> Iterator[Call]:
+    """Yield the calls that a value makes on one side of a choice only: `a.pop() if a else b`."""
+    if isinstance(expr, Op) and expr.op in {"?:", "&&", "||"}:
+        yield from perhaps_called(expr.operands[0])
+        for side in expr.operands[1:]:
+            yield from calls_in(side)
+        return
+    for part in children(expr) if expr is not None else ():
+        yield from perhaps_called(part)
+
+
 def names_in(expr: Expr | None) -> Iterator[str]:
     """Yield the names of an expression."""
     if isinstance(expr, Name):

@@ -9,6 +9,7 @@ from ecm_parsers.source.expr import Call, Member
 
 from ecm_extract.infer.bare_names import bare_names
 from ecm_extract.infer.effects import is_within
+from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.other_names import changed_as_others
 from ecm_extract.link.code.spelling import may_be_written
 from ecm_extract.link.code.units import Func
@@ -41,6 +42,25 @@ class ChangedParameters:
             by_name = self.folder.flow.effects(func).may_change(name)
             known = self._changing[key] = by_name or self.is_hidden(func, name)
         return known
+
+    def may_by(self, call: Call, func: Func, at: int) -> bool:
+        """Tell whether a call in a statement of a function, of one of the tree, may change its first argument."""
+        target = self.folder.flow.target(call, func, at)
+        if target is None:
+            return False
+        own = (
+            isinstance(call.callee, Member) and target.holder is not None and self.changes_object(call.callee, func, at)
+        )
+        return own or any(self.may(target, entry.name) for entry in target.fact.params[:1])
+
+    def changes_object(self, method: Member, func: Func, at: int) -> bool:
+        """Tell whether a method that a statement of a function of Python hands on may change what it is a method of."""
+        if method.name in calls_of("python").changing:
+            return True
+        target = self.folder.flow.target(Call(method, ()), func, at)
+        if target is None or target.cls is None:
+            return not self.folder.methods.all_leave(method.name, func)
+        return not self.folder.methods.leaves(target, target.cls)
 
     def leaves_object(self, method: Func) -> bool:
         """Tell whether a method changes no member of its object, and calls no other one that might."""

@@ -9,8 +9,8 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.places import as_written
+from ecm_extract.infer.reading_calls import leaves_arguments
 from ecm_extract.infer.run import Run
-from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.running.base_calls import makes_base
@@ -143,9 +143,8 @@ class KeptMembers:
         flow = self.folder.flow
         callee = flow.target(call, func, 0)
         path = call.callee.name if isinstance(call.callee, Member) else getattr(call.callee, "id", "")
-        last = last_name(path)
-        reads = flow.effects(func).calls.reads(last, call.callee, func.file.imported)
-        if callee is None and (reads or flow.keeps(path) or self._is_put_into_own(call, func)):
+        left = leaves_arguments(call.callee, func) or flow.keeps(path) or self._is_put_into_own(call, func)
+        if callee is None and left:
             return
         own = isinstance(call.callee, Member) and call.callee.base == THIS
         params = callee.fact.params if callee is not None else ()

@@ -11,11 +11,10 @@ from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Name
 
-from ecm_extract.infer.effects import perhaps_called
 from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.inner import function_named
 from ecm_extract.link.code.units import Func
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import children, perhaps_called
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 

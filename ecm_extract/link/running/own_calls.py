@@ -10,6 +10,7 @@ from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.link.code.handing_on import hands_on
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import given_to
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.lambdas import leaves_object
 
@@ -39,8 +40,8 @@ class OwnCalls:
     def is_own(self, call: Call, func: Func, at: int) -> bool:
         """Tell whether a call in a statement of a function may run a function of the tree."""
         last = invocation_of(call, Env(func, at)).last
-        if last in calls_of(func.file.language).calling:
-            return any(map(_is_own_function, call.args))
+        if last in calls_of(func.file.language).calling and any(map(_is_own_function, given_to(call))):
+            return True
         return bool(last) and bool(self.program.seen_functions(last, func.file))
 
     def reaches_object(self, call: Call, env: Env) -> bool:

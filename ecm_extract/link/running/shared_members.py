@@ -14,6 +14,7 @@ from ecm_parsers.source.expr import Expr, Member, Name, Number, Text
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.places import target_of
+from ecm_extract.infer.reading_calls import leaves_arguments
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import given_to
@@ -144,7 +145,7 @@ def _given(outline: Outline) -> Iterator[tuple[str, Expr | None]]:
             yield from ((key, statement.value) for key in outline.bound_keys(target_of(statement)) if key)
     for call in (call for group in outline.func.calls for call in group):
         key = outline.effects.root(call.callee.base) if isinstance(call.callee, Member) else ""
-        if key and not (isinstance(call.callee, Member) and call.callee.name in outline.effects.calls.reading):
+        if key and not leaves_arguments(call.callee, outline.func):
             yield from ((key, value) for value in given_to(call))
 
 

@@ -63,15 +63,16 @@ class Untold:
     def _of_variable(self, expr: Expr, func: Func, at: int, of_parts: bool) -> bool:
         if not isinstance(expr, Name | Member):
             return False
-        key = self.folder.flow.effects(func).key(expr)
-        owner = func.holder if key.startswith(".") else func
+        effects = self.folder.flow.effects(func)
+        key = effects.key(expr)
+        owner = func.holder if key.startswith(".") else func if key.partition(".")[0] in effects.own else None
         if key and owner is not None and key.count(".") <= 1 and self._all.of(Variable(owner, key, of_parts)):
             return True
         return isinstance(expr, Member) and expr.base != THIS and self._of_field(expr, key, func, at)
 
     def _of_field(self, field: Member, key: str, func: Func, at: int) -> bool:
         """Whether a field is one of something untold, to which the function gives nothing, and no parameter's."""
-        if key in self.folder.flow.outline(func).changes:
+        if self._variables.is_given(key, func):
             return False
         if self.folder.reads.is_declared(below_variable(field).path, func.file.package):
             return False

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Op, Table
 
+from ecm_extract.infer.effects import Kind
 from ecm_extract.infer.places import target_of
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.spelling import by_value, pointee, template_arguments
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from ecm_extract.link.running.untold import Untold
 
 
+_KEPT: Final[Set[Kind]] = frozenset({"handed", "reached"})
+"""What calls do to variables of Python that mean the same after it."""
 _EMPTY: Final = (Items(()), Table(()))
 
 
@@ -47,6 +50,14 @@ class UntoldVariables:
         whole = self._of_member(variable, owner) if isinstance(owner, Cls) else self._of_local(variable, owner)
         given = list(whole)
         return bool(given) and all(given)
+
+    def is_given(self, key: str, func: Func) -> bool:
+        """Tell whether a function gives a variable anything, or lets functions of the tree do so."""
+        outline = self.folder.flow.outline(func)
+        if key not in outline.changes or func.file.language != "python":
+            return key in outline.changes
+        calls = (call for at in range(len(func.fact.body)) for call in self._calls(key, func, at, _KEPT))
+        return key in outline.given or any(calls)
 
     def _of_local(self, variable: Variable, func: Func) -> Iterator[bool]:
         key = variable.key
@@ -101,7 +112,8 @@ class UntoldVariables:
             yield self.untold.has_within(value, func, at)
         elif statement.kind != "do" and value is not None and self._is_whole(target, key, func):
             yield self.untold.has(value, func, at)
-        for call in self._calls(key, func, at):
+        kept: Set[Kind] = _KEPT if func.file.language == "python" else frozenset()
+        for call in self._calls(key, func, at, kept):
             if not self._is_on(call, key, func):
                 yield self.folder.flow.target(call, func, at) is None
 
@@ -120,9 +132,10 @@ class UntoldVariables:
     def _is_whole(self, target: Expr | None, key: str, func: Func) -> bool:
         return self.folder.flow.effects(func).key(target) == key or isinstance(target, Items)
 
-    def _calls(self, key: str, func: Func, at: int) -> Iterator[Call]:
-        """The calls of a statement that may change a variable."""
-        return (effect.call for effect in self.folder.flow.effects(func).of(at) if effect.key == key)
+    def _calls(self, key: str, func: Func, at: int, kept: Set[Kind] = frozenset()) -> Iterator[Call]:
+        """The calls of a statement that may change a variable, by kinds of effects but some."""
+        effects = self.folder.flow.effects(func).of(at)
+        return (effect.call for effect in effects if effect.key == key and effect.kind not in kept)
 
     def _is_on(self, call: Call, key: str, func: Func) -> bool:
         return isinstance(call.callee, Member) and self.folder.flow.effects(func).root(call.callee.base) == key

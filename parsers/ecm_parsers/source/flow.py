@@ -6,10 +6,11 @@ statements simply follow each other has no flow.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Literal, TypeAlias
 
 import msgspec
+from msgspec.structs import replace
 
 from ecm_parsers.source.expr import Expr
 
@@ -65,12 +66,14 @@ class Switch(_Step, frozen=True):
 class Handler(_Step, frozen=True):
     """What handles an exception, by the types that it is for as they are written; without types it is for all.
 
-    `name` is the variable of Python that it has the exception in.
+    `name` is the variable of Python that it has the exception in. `context` is what `with` enters, of which its class
+    tells whether it handles anything.
     """
 
     types: tuple[str, ...]
     body: Block
     name: str = ""
+    context: Expr | None = None
 
 
 class Attempt(_Step, frozen=True):
@@ -141,6 +144,20 @@ def blocks(step: Step) -> Iterator[Block]:
         yield from (step.body, *[handler.body for handler in step.handlers], step.other, step.final)
     elif isinstance(step, Later):
         yield step.body
+
+
+def rewritten(step: Step, change: Callable[[Block], Block]) -> Step:
+    """Return a step with other blocks in it."""
+    if isinstance(step, Branch):
+        return replace(step, then=change(step.then), other=change(step.other))
+    if isinstance(step, Loop):
+        return replace(step, body=change(step.body), step=change(step.step), other=change(step.other))
+    if isinstance(step, Switch):
+        return replace(step, cases=tuple([replace(case, body=change(case.body)) for case in step.cases]))
+    if isinstance(step, Attempt):
+        handlers = tuple([replace(handler, body=change(handler.body)) for handler in step.handlers])
+        return Attempt(change(step.body), handlers, change(step.other), change(step.final))
+    return replace(step, body=change(step.body)) if isinstance(step, Later) else step
 
 
 def steps(block: Block) -> Iterator[Step]:

@@ -16,12 +16,13 @@ from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Constant, Field
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Loop, Switch
 from ecm_parsers.source.python_class_body import class_attribute, given_before, named_by
+from ecm_parsers.source.python_contexts import entered
 from ecm_parsers.source.python_expr import salvage
 from ecm_parsers.source.python_fields import given_by, gives_field
 from ecm_parsers.source.python_literal import NULL, TRUE
 from ecm_parsers.source.python_named_tuples import made_class
 from ecm_parsers.source.python_partials import value_for
-from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught, types_suppressed
+from ecm_parsers.source.python_raising import asserted, name_caught, raised, types_caught
 from ecm_parsers.source.python_scan import Scan, StatementHandler, parts
 from ecm_parsers.source.python_type_calls import type_assigned
 
@@ -296,28 +297,6 @@ def _for(scan: Scan, node: Node) -> None:
     scan.frame.flow.add(Loop(each, None, body, other=_otherwise(scan, node)))
 
 
-def _with(scan: Scan, node: Node) -> None:
-    passed = types_suppressed(scan, node)
-    for child in parts(node):
-        if child.type == "block" and passed is not None:
-            scan.frame.flow.add(Attempt(scan.inner(child), (Handler(passed, ()),)))
-        elif child.type == "block":
-            scan.block(child)
-        elif child.type == "with_clause":
-            for item in parts(child):
-                _with_item(scan, item)
-
-
-def _with_item(scan: Scan, node: Node) -> None:
-    for child in parts(node):
-        halves = parts(child) if child.type == "as_pattern" else []
-        if len(halves) == 2:
-            targets = [scan.expr(target) for target in parts(halves[1])]
-            scan.emit("let", node, scan.expr(halves[0]), targets[0] if targets else None)
-        else:
-            scan.do(child)
-
-
 def _broken(scan: Scan, node: Node) -> None:
     """Read on inside what could not be parsed: whole statements and calls."""
     scan.block(node)
@@ -344,5 +323,5 @@ STATEMENTS: Mapping[str, StatementHandler] = {
     "try_statement": _try,
     "type_alias_statement": type_assigned,
     "while_statement": _while,
-    "with_statement": _with,
+    "with_statement": entered,
 }

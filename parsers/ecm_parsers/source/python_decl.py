@@ -207,6 +207,7 @@ def _import(scan: Scan, node: Node) -> None:
     for child in parts(node):
         module, alias = _imported(scan, child)
         scan.imports.append(Import(module, "", alias, line))
+        _give_others(scan, child, alias or module, Opaque("import"))
 
 
 def _import_from(scan: Scan, node: Node) -> None:
@@ -216,7 +217,9 @@ def _import_from(scan: Scan, node: Node) -> None:
     for child in names:
         name, alias = ("*", "") if child.type == "wildcard_import" else _imported(scan, child)
         line = child.start_point[0] + 1
-        scan.imports.append(Import(origin, name, _bound_here(scan, name, alias, line), line))
+        here = _bound_here(scan, name, alias, line)
+        scan.imports.append(Import(origin, name, here, line))
+        _give_others(scan, child, alias or name, Name(here))
 
 
 def _bound_here(scan: Scan, name: str, alias: str, line: int) -> str:
@@ -229,6 +232,12 @@ def _bound_here(scan: Scan, name: str, alias: str, line: int) -> str:
     scan.frame.names = dict(scan.frame.names)  # methods beside it mean what they meant
     scan.names_again(bound, Name(own))
     return own
+
+
+def _give_others(scan: Scan, node: Node, bound: str, value: Expr) -> None:
+    """An import of a name that the function declares `global`: a variable of the module is given something."""
+    if bound in scan.frame.shared and any(each.name == bound and not each.scope for each in scan.constants):
+        scan.emit("set", node, value, Name(bound))
 
 
 def _import_future(scan: Scan, node: Node) -> None:

@@ -29,6 +29,7 @@ from ecm_parsers.source.expr import (
 )
 from ecm_parsers.source.python_choices import may_not_happen
 from ecm_parsers.source.python_fields import field_of, table_of
+from ecm_parsers.source.python_later_calls import later_call
 from ecm_parsers.source.python_literal import (
     FALSE,
     NULL,
@@ -83,7 +84,8 @@ def _call(scan: Scan, node: Node) -> Expr:
     if args[:1] == [THIS] and _is_of_base(scan, function):
         base = Call(Name("super"), (Text(scan.text(function.child_by_field_name("object"))),), line=line)
         callee, args = Member(base, scan.text(function.child_by_field_name("attribute"))), args[1:]
-    return table_of(Call(callee, tuple(args), tuple(keywords), (), line, tuple(lines)))
+    made = later_call(scan, node, Call(callee, tuple(args), tuple(keywords), (), line, tuple(lines)))
+    return table_of(made) if isinstance(made, Call) else made
 
 
 def _is_of_base(scan: Scan, function: Node) -> bool:

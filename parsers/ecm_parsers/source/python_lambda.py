@@ -7,13 +7,13 @@ the body around them, to be run later.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Final
 
 from tree_sitter import Node
 
 from ecm_parsers.source.expr import Expr, Lambda
-from ecm_parsers.source.facts import Function, Statement
+from ecm_parsers.source.facts import Function, Parameter, Statement
 from ecm_parsers.source.flow import Later
 from ecm_parsers.source.python_parameters import parameters
 from ecm_parsers.source.python_scan import ExprHandler, Frame, Scan, parts
@@ -28,7 +28,8 @@ def _lambda(scan: Scan, node: Node) -> Expr:
         return Lambda(())
     name = _name(scan, node)
     if name and _calls(body):
-        return _as_function(scan, node, body, name)
+        params = parameters(scan, node.child_by_field_name("parameters"))
+        return as_function(scan, node, name, params, lambda: scan.expr(body))
     scan.frame.lambdas += 1
     scan.frame.flow.begin()
     value = scan.done(body)
@@ -48,9 +49,20 @@ def _name(scan: Scan, node: Node) -> str:
     if target is not None and target.type == "identifier":
         return scan.text(target)
     kept = target is not None and target.type == "attribute"
+    if kept or parent.type == "return_statement":
+        return _by_place(node)
+    return name_of_handed(scan, node)
+
+
+def _by_place(node: Node) -> str:
     row, column = node.start_point
-    read = kept or parent.type == "return_statement" or _is_handed(scan, parent)
-    return f"<lambda {row + 1}:{column + 1}>" if read else ""
+    return f"<lambda {row + 1}:{column + 1}>"
+
+
+def name_of_handed(scan: Scan, node: Node) -> str:
+    """Return what a function is called that a function or a method of the same object gets; empty for any other."""
+    own = node.parent is not None and not scan.frame.lambdas and _is_handed(scan, node.parent)
+    return _by_place(node) if own else ""
 
 
 def _is_handed(scan: Scan, parent: Node) -> bool:
@@ -76,15 +88,15 @@ def _calls(node: Node) -> bool:
     return False
 
 
-def _as_function(scan: Scan, node: Node, body: Node, name: str) -> Expr:
-    outer, written = scan.frame, node.child_by_field_name("parameters")
-    params = parameters(scan, written)
+def as_function(scan: Scan, node: Node, name: str, params: tuple[Parameter, ...], read: Callable[[], Expr]) -> Lambda:
+    """Return a lambda that is read as a function of its own; `read` gives its value, in its place."""
+    outer = scan.frame
     statements: list[Statement] = []
     hidden = any(param.name.encode() in outer.names for param in params)
     scope = f"{outer.scope}::{name}" if outer.scope else name
     scan.frame = frame = Frame("function", scope, statements, {} if hidden else outer.names)
     frame.bases = outer.bases
-    value = scan.expr(body)
+    value = read()
     scan.emit("return", node, value)
     scan.frame = outer
     line, end = node.start_point[0] + 1, node.end_point[0] + 1
@@ -92,8 +104,8 @@ def _as_function(scan: Scan, node: Node, body: Node, name: str) -> Expr:
     scan.functions.append(
         Function(name, outer.scope, params, "", line, end, tuple(statements), traits=("lambda",), flow=flow)
     )
-    names = _names(scan, node)
     alone = len(statements) == 1  # loops of comprehensions are statements of the function, nobody else has them
+    names = tuple([param.name for param in params])
     return Lambda(("",) * len(names), names, value if alone else None, name)
 
 

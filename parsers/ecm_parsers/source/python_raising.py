@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Final
-
 from tree_sitter import Node
 
 from ecm_parsers.source.expr import Op
 from ecm_parsers.source.flow import Branch, Leave
 from ecm_parsers.source.python_scan import Scan, parts
-
-_SUPPRESSING: Final = "suppress"
-"""docs.python.org, contextlib."""
 
 
 def raised(scan: Scan, node: Node) -> None:
@@ -47,14 +42,3 @@ def name_caught(scan: Scan, node: Node) -> str:
     asked = next((part for part in node.named_children if part.type == "as_pattern"), None)
     target = asked.child_by_field_name("alias") if asked is not None else None
     return scan.text(target) if target is not None else ""
-
-
-def types_suppressed(scan: Scan, node: Node) -> tuple[str, ...] | None:
-    """Return the types that a context lets pass by: `with suppress(KeyError):`; None where it lets none."""
-    items = [item for clause in parts(node) if clause.type == "with_clause" for item in parts(clause)]
-    calls = [call for item in items if (call := item.child_by_field_name("value")) is not None and call.type == "call"]
-    for call in calls:
-        called, given = call.child_by_field_name("function"), call.child_by_field_name("arguments")
-        if called is not None and scan.text(called).rpartition(".")[2] == _SUPPRESSING and given is not None:
-            return tuple([scan.text(part) for part in parts(given)])
-    return None
