@@ -55,6 +55,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         prefix: the method that gives the object a prefix for the names of its later calls.
         latch: position of the flag that keeps the last message for who comes later (ROS 1).
         undeclared: the row holds only where the node takes parameters that it does not declare.
+        transport: position of the transport of a subscription, or `hints` where an object among the arguments has it.
         needed: a call with a template argument and without a default stops the node where nobody sets the parameter.
     """
 
@@ -85,6 +86,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     latch: str = ""
     undeclared: bool = False
     needed: bool = False
+    transport: str = ""
 
     def __post_init__(self) -> None:
         """Refuse positions that mean nothing, so that a misspelt one is an error and not a form without effect."""

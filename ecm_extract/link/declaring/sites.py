@@ -28,6 +28,7 @@ from ecm_extract.link.declaring.prefixes import prefixed
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
+from ecm_extract.link.declaring.transports import transported
 from ecm_extract.link.declaring.ways_in import WaysIn
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
 from ecm_extract.link.folding.fold import Folder
@@ -112,9 +113,10 @@ class Sites:
         env = self.root_env(func, call.at)
         for each in (spread(call), *starred(call, self.program)):
             forms = list(self.matcher.fitting(self.folder.spreading.out(each, env).call, env))
-            for form in forms:
-                if form.row.value is parameters:
-                    yield self._spread_out(Site(form, prefixed(each, form), env, (), func.holder, func))
+            for row in forms:
+                if row.row.value is parameters:
+                    written, form = transported(prefixed(each, row), row)
+                    yield self._spread_out(Site(form, written, env, (), func.holder, func))
             if forms:
                 return
 
