@@ -123,11 +123,11 @@ def _is_callable(given: tuple[Expr, ...]) -> bool:
 
 
 def _with_lambda(scan: Scan, node: Node, call: Call, row: _Function, asked: _Asked) -> Call:
-    """The call with a lambda; it has the arguments, too, which whoever gets them may change."""
-    given = ((place[0], _given(call, place)) for place in (row.args, row.kwargs))
-    others = [(name, value) for name, value in given if value is not None]
-    keywords = ((row.function[0], _lambda(scan, node, asked)), *others)
-    return msgspec.structs.replace(call, args=(), keywords=keywords, keyword_lines=(call.line,) * len(keywords))
+    """The call with a lambda in place of the function; whoever gets the arguments, too, may change them."""
+    (name, place), made = row.function, _lambda(scan, node, asked)
+    args = tuple([made if at == place else each for at, each in enumerate(call.args)])
+    keywords = tuple([(each, made if each == name else value) for each, value in call.keywords])
+    return msgspec.structs.replace(call, args=args, keywords=keywords)
 
 
 def _lambda(scan: Scan, node: Node, asked: _Asked, *names: str) -> Lambda:
