@@ -32,7 +32,7 @@ from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
 from ecm_extract.link.code.spelling import last_name, may_be_written
-from ecm_extract.link.code.walk import calls_in, given_to
+from ecm_extract.link.code.walk import calls_in, given_to, last_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
@@ -172,9 +172,9 @@ class Effects:
         params = target.fact.params if target is not None else ()
         for index, arg in passed:
             param = params[index] if index < len(params) else None
-            yield from self._given(call, arg, target, param.name if param is not None else "", last)
+            yield from self._given(call, arg, target, param.name if param is not None else "", at)
         for name, arg in named:
-            yield from self._given(call, arg, target, name, last)
+            yield from self._given(call, arg, target, name, at)
         yield from (Effect("handed", key, call) for key in within)
         if led and (target is None or any(self.targets.parameters.may(target, entry.name) for entry in params)):
             yield from (Effect("reached", key, call) for each in led if (key := self.key(each)))
@@ -260,10 +260,10 @@ class Effects:
     def _iterates(self, arg: Expr) -> bool:
         return isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in self.calls.iterators
 
-    def _given(self, call: Call, arg: Expr, target: Func | None, name: str, last: str) -> Iterator[Effect]:
-        key = self.key(arg)
+    def _given(self, call: Call, arg: Expr, target: Func | None, name: str, at: int) -> Iterator[Effect]:
+        key, last = self.key(arg), last_of(call.callee)
         root = key or self.root(arg)
-        if not root:
+        if not root or (self.python and target is None and self.targets.parameters.is_left(call, arg, self.func, at)):
             return
         if target is None:
             made = isinstance(call.callee, Name) and last[:1].isupper()

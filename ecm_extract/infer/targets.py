@@ -35,6 +35,9 @@ class Parameters(Protocol):
     def fields(self, func: Func, name: str) -> Set[str] | None:
         """Return the fields of a parameter that a function changes, by key; None where it may do anything to it."""
 
+    def is_left(self, call: Call, arg: Expr, func: Func, at: int) -> bool:
+        """Tell whether the class of Python that a call makes an object of leaves an argument alone and keeps it not."""
+
     def leaves_object(self, method: Func) -> bool:
         """Tell whether a method changes no member of its object, and calls no other one that might."""
 

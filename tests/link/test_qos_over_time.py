@@ -40,6 +40,11 @@ ROWS = [
     ("rclcpp::QoS q(4); {a} if (found()) { q = rclcpp::QoS(4).best_effort(); } {b}", ("reliable", 4), ("unknown", 4)),
     ("auto & q = held_; {a} held_ = rclcpp::QoS(3); {b}", ("reliable", 10), ("reliable", 3)),
     ("rclcpp::QoS q(1); {a} q.keep_last(5); {b} q.keep_last(7);", ("reliable", 1), ("reliable", 5)),
+    (
+        "rclcpp::QoS q(4); {a} for (int i = 0; i < n(); ++i) { q.best_effort(); } {b}",
+        ("reliable", 4),
+        ("unknown", None),
+    ),
 ]
 PYTHON_ROWS = [
     ("q = QoSProfile(depth=3)\n{a}\nq.reliability = ReliabilityPolicy.BEST_EFFORT\n{b}", "reliable", "best_effort"),
@@ -83,3 +88,33 @@ def test_fields_of_a_profile_of_python(workspace: Any, body: str, first: str, se
     lines = body.replace("{a}", made["a"]).replace("{b}", made["b"]).replace("\n", "\n        ")
     found = _qos(workspace.package({"pkg/d.py": PYTHON.replace("{body}", lines)}))
     assert (found["/a"][0], found["/b"][0]) == (first, second)
+
+
+HANDED = """
+from rclpy.node import Node
+from rclpy.qos import QoSProfile
+from std_msgs.msg import String
+class Talker(Node):
+    def __init__(self, name, profile):
+        super().__init__(name)
+        {body}
+def main():
+    read = QoSProfile(depth=3)
+    first = Talker('a', read)
+    first.create_publisher(String, 'b', read)
+"""
+HANDED_ROWS = [
+    ("self.depth = profile.depth", "reliable"),
+    ("self.out = self.create_publisher(String, 'a', profile)", "reliable"),
+    ("profile.depth = 4", "unknown"),
+    ("self.profile = profile", "unknown"),
+    ("self.later = lambda: profile", "unknown"),
+    ("self.part = outside(profile)", "unknown"),
+]
+
+
+@pytest.mark.parametrize(("body", "after"), HANDED_ROWS, ids=[row[0][:40] for row in HANDED_ROWS])
+def test_a_profile_that_a_constructor_of_python_gets(workspace: Any, body: str, after: str) -> None:
+    """It stays what it is where the constructor only reads it; who keeps it may change it at any time."""
+    found = _qos(workspace.package({"pkg/d.py": HANDED.replace("{body}", body)}))
+    assert found["/b"][0] == after

@@ -47,6 +47,7 @@ class QosVariables:
         self.folder = folder
         self.profiles = profiles
         self._begun: dict[tuple[Cls, str], Policies | None] = {}
+        self._asked: set[Held] = set()
 
     def at(self, expr: Name | Member, env: Env, level: int) -> Policies | None:
         """Return the policies of a variable at a place; None for a variable that nobody gives a profile."""
@@ -167,7 +168,7 @@ class QosVariables:
             before = self._any_of(held.before or (Held("given", held.name),), inner, level)
             return None if before is None else dict(UNSEEN)
         if held.how in {"looped", "reached", "entered"}:
-            return self._any_of(held.before, inner, level)
+            return self._before(held, inner, level)
         if held.how == "after":
             left = self.folder.behind_calls.left(held, inner)
             return self._any_of(left[0], left[1].deeper(env.depth + 1), level + 1) if left is not None else None
@@ -176,6 +177,16 @@ class QosVariables:
         if held.how in {"given", "shared"}:
             return self._left_alone(held, inner, level)
         return dict(UNSEEN) if held.how in {"lost", "stored", "read"} else None
+
+    def _before(self, held: Held, env: Env, level: int) -> Policies | None:
+        """What was there before; a round of a loop may begin with what it leaves, in which each policy is unknown."""
+        if held in self._asked:
+            return dict(UNSEEN)
+        self._asked.add(held)
+        try:
+            return self._any_of(held.before, env, level)
+        finally:
+            self._asked.discard(held)
 
     def _left_alone(self, held: Held, env: Env, level: int) -> Policies | None:
         """What a variable is that the function at hand has given nothing yet."""

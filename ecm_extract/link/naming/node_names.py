@@ -88,6 +88,11 @@ class NodeNames:
 
     def of_class(self, cls: Cls) -> NodeName | None:
         """Return the name that the class passes to its node base, None when it is not fixed."""
+        with self.folder.faults.of(cls):
+            return self._of_class(cls)
+        return None
+
+    def _of_class(self, cls: Cls) -> NodeName | None:
         found = self._passed_on(Instance(cls, {}, {}))
         if found is not None and not found.is_open:
             return self._renamed(found, cls) if found.settings is not None else found
@@ -216,10 +221,9 @@ class NodeNames:
 
     def of_program(self, main: Func) -> NodeName | None:
         """Return the name that a program gives its node, by a call in the file of its main function."""
-        for call in self._free_calls(main.file):
-            found = self._initialised(call)
-            if found is not None:
-                return found
+        with self.folder.faults.of(main):
+            found = (self._initialised(call) for call in self._free_calls(main.file))
+            return next((name for name in found if name is not None), None)
         return None
 
     def _free_calls(self, file: File) -> Sequence[Invocation]:

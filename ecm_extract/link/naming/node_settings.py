@@ -5,7 +5,7 @@ Sources: rclcpp/node_options.hpp, rclpy/node.py; design.ros2.org, "ROS Command L
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Final, NamedTuple
@@ -112,14 +112,16 @@ class NodeSettings:
         if name in _SETTING and call.args:
             yield _Told(name, call.args, env, sure)
 
-    def _of_held(self, held: Held, env: Env, sure: bool) -> Iterator[_Told]:
+    def _of_held(self, held: Held, env: Env, sure: bool, after: Set[Held] = frozenset()) -> Iterator[_Told]:
+        if held in after:
+            return  # what a round of a loop leaves is among what the next one begins with
         place = (held.env or env).deeper(env.depth + 1)
         if held.how == "value" and held.expr is not None:
             yield from self._told(held.expr, place, sure)
             return
         before = self.folder.flow.decisions.ways(held.before)
         for each in before:
-            yield from self._of_held(each, place, sure and len(before) == 1)
+            yield from self._of_held(each, place, sure and len(before) == 1, after | {held})
         if held.how == "changed" and isinstance(held.expr, Call):
             yield from self._set_by(held.expr, place, sure)
         elif held.how == "lost" and held.expr is not None and _SETTING & set(_members(held.expr)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Member
+from ecm_parsers.source.expr import Call, Expr, Member
 
 from ecm_extract.infer.bare_names import bare_names
 from ecm_extract.infer.effects import is_within
@@ -13,6 +13,7 @@ from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.other_names import changed_as_others
 from ecm_extract.link.code.spelling import may_be_written
 from ecm_extract.link.code.units import Func
+from ecm_extract.link.running.left_by_makers import LeftByMakers
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -30,6 +31,11 @@ class ChangedParameters:
         self._changing: dict[tuple[Func, str], bool] = {}
         self._hidden: dict[tuple[Func, str], bool] = {}
         self._fields: dict[tuple[Func, str], Set[str] | None] = {}
+        self._by_makers = LeftByMakers(folder)
+
+    def is_left(self, call: Call, arg: Expr, func: Func, at: int) -> bool:
+        """Tell whether the class of Python that a call makes an object of leaves an argument alone and keeps it not."""
+        return self._by_makers.is_left(call, arg, func, at)
 
     def may(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of; in C++ the fields of that."""

@@ -1,0 +1,68 @@
+"""What a constructor of Python leaves as it got it, and keeps nowhere: `Talker("a", profile)` reads its profile."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Expr, Lambda, Name
+
+from ecm_extract.infer.bare_names import bare_names
+from ecm_extract.infer.reading_calls import leaves_arguments
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.walk import dotted, expressions, given_to, last_of, names_in
+from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Env, invocation_of
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+class LeftByMakers:
+    """Tells it; each parameter of a constructor is asked about once."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._kept: dict[tuple[Func, str], bool] = {}
+
+    def is_left(self, call: Call, arg: Expr, func: Func, at: int) -> bool:
+        """Tell whether the class that a call makes an object of leaves an argument alone, and keeps it nowhere."""
+        env = Env(func, at, this=func.cls)
+        maker = self._maker(call, env)
+        given = bind(maker, invocation_of(call, env), env) if maker is not None else {}
+        names = [name for name, bound in given.items() if bound.expr is arg]
+        parameters = self.folder.methods.parameters
+        return (
+            bool(names)
+            and maker is not None
+            and not any(parameters.may(maker, name) or self._keeps(maker, name) for name in names)
+        )
+
+    def _maker(self, call: Call, env: Env) -> Func | None:
+        """The constructor that a call of a class runs."""
+        name = (dotted(call.callee) or "").replace(".", "::")
+        own = isinstance(call.callee, Name) and call.callee.id in self.folder.flow.effects(env.func).own
+        cls = self.folder.program.class_named(name, env.func.file, env.func.scope) if name and not own else None
+        return self.folder.objects.constructor(cls, invocation_of(call, env)) if cls is not None else None
+
+    def _keeps(self, maker: Func, name: str) -> bool:
+        """Whether anything else may have a parameter from then on."""
+        known = self._kept.get((maker, name))
+        if known is None:
+            key = self.folder.flow.effects(maker).key
+            held = any(key(each) == name for part in self._holding(maker) for each in bare_names(part))
+            known = self._kept[maker, name] = held or name in _in_lambdas(maker)
+        return known
+
+    def _holding(self, maker: Func) -> Iterator[Expr]:
+        """What variables are given, and what calls get that are none of a library which leaves it alone."""
+        yield from (each.value for each in maker.fact.body if each.value and not isinstance(each.value, Call))
+        for call in (call for group in maker.calls for call in group):
+            if not leaves_arguments(call.callee, maker) and not self.folder.flow.keeps(last_of(call.callee)):
+                yield from given_to(call)
+
+
+def _in_lambdas(func: Func) -> frozenset[str]:
+    """The names in lambdas of a function, which whoever gets them can ask for."""
+    parts = (part for each in func.fact.body for part, _ in expressions(each))
+    return frozenset([name for part in parts if isinstance(part, Lambda) for name in names_in(part.body)])
