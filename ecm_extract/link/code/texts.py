@@ -1,4 +1,4 @@
-"""Which arguments of a call are text, by what is declared of them: overloads take a node handle before the name."""
+"""What is text, by its form or by what is declared of it: overloads take a node handle before the name."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from ecm_extract.link.code.own import own_name
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Func
 
-_JOINED: Final = frozenset({"+", "%", "?:"})
+_SUMS: Final = frozenset({"+", "%"})
+_JOINED: Final = _SUMS | {"?:"}
 _TYPES: Final = frozenset({"string", "char", "string_view"})
 
 
@@ -27,6 +28,15 @@ def is_text(expr: Expr, func: Func) -> bool:
     if written:
         return is_text_type(written)
     return isinstance(expr, Text | Template) or (isinstance(expr, Op) and expr.op in _JOINED)
+
+
+def makes_text(expr: Expr | None) -> bool:
+    """Tell whether an expression is a new text, whatever its parts are: a sum with one, what a method of one gives."""
+    if isinstance(expr, Op) and expr.op in _SUMS:
+        return any(map(makes_text, expr.operands))
+    if isinstance(expr, Call) and isinstance(expr.callee, Member):
+        return isinstance(expr.callee.base, Text | Template)
+    return isinstance(expr, Text | Template)
 
 
 def _may_be(expr: Expr, func: Func) -> bool:

@@ -16,6 +16,7 @@ from ecm_extract.infer.pointing import refers
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.texts import makes_text
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions, names_in
 from ecm_extract.link.index.nesting import Nesting
@@ -249,7 +250,9 @@ def _meant(method: Func, names: Set[str]) -> Set[str]:
 
 
 def _bound_to(statement: Statement, names: Set[str]) -> Iterator[str]:
-    """Yield the names and the members in what a statement binds one of some names to."""
+    """Yield the names and the members in what a statement binds one of some names to; a new text is none of them."""
+    if makes_text(statement.value):
+        return
     target = statement.target
     parts = map(unstarred, target.items) if isinstance(target, Items) else (target,)
     if statement.kind != "do" and any(isinstance(part, Name) and part.id in names for part in parts):
