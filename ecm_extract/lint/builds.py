@@ -5,17 +5,55 @@ A repository may hold several workspaces: exercises with their solutions, a fold
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Sequence
+from collections import Counter, defaultdict
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from pathlib import PurePosixPath
+
+from msgspec import structs
 
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import Entry
 
 
-def builds(packages: Sequence[PackageFacts], folder: str = "") -> list[list[PackageFacts]]:
+def builds(packages: Sequence[PackageFacts]) -> list[list[PackageFacts]]:
     """Return the packages in groups without a name twice, as far as folders tell them apart.
 
     Folders that hold a package which stands elsewhere too are groups of their own; all others stay together.
     """
+    return _groups(_found(packages), "")
+
+
+def _found(packages: Sequence[PackageFacts]) -> list[PackageFacts]:
+    """The packages without those that one outside hides; the files of these are of the package around them.
+
+    No build tool looks for packages within a package, so that a name means the one that it finds elsewhere.
+    """
+    roots = {package.root.path for package in packages}
+    inner = {path for path in roots if _around(path, roots) is not None}
+    names = {package.name for package in packages if package.root.path not in inner}
+    hidden = {package.root.path for package in packages if package.root.path in inner and package.name in names}
+    files: dict[str | None, list[Entry]] = defaultdict(list)
+    for package in packages:
+        if package.root.path in hidden:
+            files[_around(package.root.path, roots - hidden)] += package.root.files
+    kept = [package for package in packages if package.root.path not in hidden]
+    return [_with(package, files[package.root.path]) if package.root.path in files else package for package in kept]
+
+
+def _with(package: PackageFacts, files: Sequence[Entry]) -> PackageFacts:
+    """A package with more files in its folder, of which its build knows nothing."""
+    together = sorted((*package.root.files, *files), key=lambda entry: entry.path)
+    return replace(package, root=structs.replace(package.root, files=tuple(together)))
+
+
+def _around(path: str, roots: Collection[str]) -> str | None:
+    """The innermost of these folders that a folder lies in."""
+    above = ("" if folder == PurePosixPath() else f"{folder}" for folder in PurePosixPath(path).parents)
+    return next((folder for folder in above if folder in roots), None)
+
+
+def _groups(packages: Sequence[PackageFacts], folder: str) -> list[list[PackageFacts]]:
     counts = Counter(package.name for package in packages)
     if all(count == 1 for count in counts.values()):
         return [list(packages)]
@@ -29,7 +67,7 @@ def builds(packages: Sequence[PackageFacts], folder: str = "") -> list[list[Pack
     found = [rest] if rest else []
     for name in children:
         if name in torn:
-            found += builds(children[name], name) if name != folder else [children[name]]
+            found += _groups(children[name], name) if name != folder else [children[name]]
     return found
 
 

@@ -20,9 +20,7 @@ def is_in_use(path: str, package: PackageFacts, packages: Iterable[PackageFacts]
     started = {*_copied(package), *(each for each, _ in installed_sources(package))}
     if any(_is_within(path, place) for place in started):
         return True
-    return any(_is_within(path, place) for place in installed_modules(package).values()) and _is_imported(
-        path, packages
-    )
+    return any(_is_within(path, place) for place in installed_modules(package).values()) and is_imported(path, packages)
 
 
 def _is_within(path: str, place: str) -> bool:
@@ -30,7 +28,8 @@ def _is_within(path: str, place: str) -> bool:
     return _OPEN in place or place in (path, above, ".", "") or path.startswith(f"{place}/")
 
 
-def _is_imported(path: str, packages: Iterable[PackageFacts]) -> bool:
+def is_imported(path: str, packages: Iterable[PackageFacts]) -> bool:
+    """Tell whether some source imports a module of that name, or Python itself does."""
     name = path.rpartition("/")[2].removesuffix(".py")
     imports = (each for package in packages for file in package.sources.values() for each in file.imports)
     return name.startswith(_SPECIAL) or any(name in (*each.module.split("."), each.name) for each in imports)

@@ -111,7 +111,7 @@ class Workspace:
     def parts(self) -> Sequence[Workspace]:
         """The workspace itself, or one for each set of packages that are built together."""
         groups = builds(self.packages)
-        return [self] if len(groups) < 2 else [self._part(group) for group in groups]
+        return [self] if groups == [self.packages] else [self._part(group) for group in groups]
 
     def _part(self, packages: list[PackageFacts]) -> Workspace:
         read = PackagesRead(self.tree, packages, self._read.forms)

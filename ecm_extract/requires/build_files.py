@@ -15,6 +15,7 @@ from ecm_parsers.cmake_tokens import Command as WrittenCommand
 from ecm_extract.entities.install_rules import InstallRule, install_rules
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
+from ecm_extract.requires.setup_files import setup_file_requirements
 
 _OPEN: Final = re.compile(r"[$*?\[\]<>@]")
 _BUILDERS: Final = frozenset({"configure_file", "add_custom_command", "execute_process", "file", "externalproject_add"})
@@ -38,7 +39,8 @@ class Words(msgspec.Struct, frozen=True):
 
 
 def build_file_requirements(written: Written, facts: PackageFacts) -> Iterator[Requirement]:
-    """Yield what the CMake files of a package need of the package; rosbuild installs and exports nothing."""
+    """Yield what the build files of a package need of the package; rosbuild installs and exports nothing."""
+    yield from setup_file_requirements(facts)
     if facts.root.rosbuild or not facts.cmake:
         return
     words = build_words(written, facts)

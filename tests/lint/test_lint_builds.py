@@ -36,3 +36,26 @@ def test_a_package_is_that_of_its_own_workspace(workspace: Any) -> None:
     (workspace.root / "one" / "demo" / "launch" / "b.launch").write_text("<launch/>")
     found = [each.evidence[0].path for each in lint(workspace.root) if each.rule == "LNT001"]
     assert found == ["two/demo/launch/a.launch"]
+
+
+@pytest.mark.parametrize(("inner", "expected"), [("maps", []), ("other", ["demo/maps/launch/a.launch"])])
+def test_a_package_within_a_package_hides_no_other_of_its_name(inner: str, expected: list[str], workspace: Any) -> None:
+    """No build tool looks for packages within a package: the name means the one elsewhere, which has the file."""
+    text = f'<launch><include file="$(find {inner})/launch/c.launch"/></launch>'
+    workspace.package({"launch/b.launch": "<launch/>"}, ros=1, name="demo")
+    workspace.package({"launch/c.launch": "<launch/>"}, ros=1, name="maps")
+    workspace.package({"launch/a.launch": text}, ros=1, name="demo/maps")
+    manifest = workspace.root / "demo" / "maps" / "package.xml"
+    manifest.write_text(manifest.read_text().replace("demo/maps", inner))
+    assert [each.evidence[0].path for each in lint(workspace.root) if each.rule == "LNT001"] == expected
+
+
+def test_files_of_a_hidden_package_are_still_read(workspace: Any) -> None:
+    """They are files of the package around it."""
+    for name in ("demo", "maps", "demo/maps"):
+        workspace.package({"launch/a.launch": "<launch></group></launch>"}, ros=1, name=name)
+    manifest = workspace.root / "demo" / "maps" / "package.xml"
+    manifest.write_text(manifest.read_text().replace("demo/maps", "maps"))
+    found = [(each.subjects, each.evidence[0].path) for each in lint(workspace.root) if each.rule == "LNT061"]
+    assert (("demo",), "demo/maps/launch/a.launch") in [(tuple(names), path) for names, path in found]
+    assert len(found) == 3

@@ -53,6 +53,15 @@ def test_a_use_is_told(workspace: Workspace, ros: int, path: str, text: str) -> 
     assert told(workspace, ros, path, text) == 1
 
 
+@pytest.mark.parametrize(("sources", "severity"), [("src/a.cpp", "warning"), ("src/b.cpp", "info")])
+def test_a_use_that_no_target_builds_is_an_info(workspace: Workspace, sources: str, severity: str) -> None:
+    """Nothing stops there: what is compiled has no such use."""
+    use = MAIN.format("auto a = boost::shared_static_cast<A>(b);")
+    build = {BUILD: PROJECT.format(f"add_executable(a {sources})")}
+    workspace.package({**build, CPP: use, "src/b.cpp": MAIN.format("")}, ros=1)
+    assert [each.severity for each in lint(workspace.root) if each.rule == "LNT036"] == [severity]
+
+
 @pytest.mark.parametrize(("ros", "path", "text"), SAID)
 def test_what_is_only_said_is_no_use(workspace: Workspace, ros: int, path: str, text: str) -> None:
     """Comments, texts, and code that no build compiles."""

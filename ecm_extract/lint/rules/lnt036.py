@@ -39,6 +39,7 @@ _FILE: Final = "file"
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report lines that the table of deprecations knows, and what the workspace itself has marked."""
+    dead = {file.path for file in workspace.linker.program.files if not file.is_built}
     for package in workspace.packages:
         uses: dict[tuple[str, str, str], list[Evidence]] = {}
         for found in deprecated_in(package, workspace):
@@ -46,7 +47,16 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for (old, new, since), places in uses.items():
             text = f"{old} is deprecated since {since}; {new} replaces it"
             entity = Entity("function", old, new)
-            yield RULE.finding(text, entity, package.name, places, resolution=f"use {new}")
+            built = [place for place in places if place.path not in dead]
+            yield RULE.finding(
+                text,
+                entity,
+                package.name,
+                built or places,
+                severity=None if built else "info",
+                consequence="" if built else f"{RULE.consequence} (no target builds this file)",
+                resolution=f"use {new}",
+            )
     yield from _packages(workspace)
     yield from _functions(workspace)
 

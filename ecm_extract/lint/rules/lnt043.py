@@ -7,8 +7,6 @@ from pathlib import PurePosixPath
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding, Severity
-from ecm_parsers.launch.model import Node
-from ecm_parsers.launch.templates import all_actions, plain_text
 from ecm_parsers.package_references import parse_references
 
 from ecm_extract.entities.install_rules import (
@@ -19,6 +17,7 @@ from ecm_extract.entities.install_rules import (
     may_install_target,
 )
 from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.started import programs_started
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.test_code import is_test_path
@@ -48,7 +47,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
     A package of ROS 1 that installs nothing at all is meant to run from the devel space: that is said once, as an info.
     """
-    launched = _launched(workspace)
+    launched = programs_started(workspace)
     named = _named(workspace)
     for package in workspace.packages:
         path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
@@ -85,21 +84,6 @@ def _never_installed(found: Finding) -> Finding:
     name = found.subjects[0]
     text, entity = f"{name} installs nothing at all", Entity("package", "devel space")
     return RULE.finding(text, entity, name, found.evidence, severity="info", consequence=_DEVEL)
-
-
-def _launched(workspace: Workspace) -> dict[str, set[str]]:
-    """Programs that launch files of the workspace, and of documents beside it, start, by package."""
-    found: dict[str, set[str]] = {}
-    for facts in (*workspace.launches.values(), *workspace.beside.launches.values()):
-        for action in all_actions(facts.actions):
-            package, name = (
-                (plain_text(action.package), plain_text(action.executable))
-                if isinstance(action, Node)
-                else (None, None)
-            )
-            if package and name:
-                found.setdefault(package, set()).add(name)
-    return found
 
 
 def _named(workspace: Workspace) -> dict[str, set[str]]:

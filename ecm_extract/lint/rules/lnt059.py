@@ -1,4 +1,4 @@
-"""LNT059: a CMake file names a file or folder that is not there, or a variable that nothing sets."""
+"""LNT059: a build file names a file or folder that is not there, or a variable that nothing sets."""
 
 from __future__ import annotations
 
@@ -36,9 +36,12 @@ _KNOWN = (
     *(f"catkin_{what}" for what in ("INCLUDE_DIRS", "LIBRARIES", "LIBRARY_DIRS", "EXPORTED_TARGETS", "FOUND")),
     *("PROJECT_NAME", "PROJECT_SOURCE_DIR", "PROJECT_BINARY_DIR", "CMAKE_CURRENT_SOURCE_DIR", "CMAKE_INSTALL_PREFIX"),
 )
+_PYTHON = (".py", ".cfg", ".toml")
+"""Endings of the files that setuptools reads."""
 _SLIP = 0.9
 _EMPTY = "CMake puts nothing in its place and goes on"
 _NO_CONFIGURE = "catkin_package refuses it, and the package is not configured"
+_NO_PYTHON = "the build of the package stops there, or the program as soon as it starts"
 
 
 def tell(known: Known) -> Iterator[Finding]:
@@ -92,7 +95,8 @@ def _absent(package: str, place: Evidence, group: list[Asked], known: Known) -> 
     missing = [asked.requirement.target for asked in group]
     near = _beside(group[0].requirement.name, known.files_of(package)) if len(missing) == 1 else None
     text = f"{package} installs {', '.join(missing)}, which {'is' if len(missing) == 1 else 'are'} not there"
-    return _finding(text + (f"; there is {near}" if near else ""), " ".join(missing), place, package, near)
+    stops = _NO_PYTHON if place.path.endswith(_PYTHON) else ""
+    return _finding(text + (f"; there is {near}" if near else ""), " ".join(missing), place, package, near, stops)
 
 
 def _beside(path: str, there: frozenset[str]) -> str | None:
