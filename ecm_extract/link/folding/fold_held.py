@@ -314,7 +314,7 @@ class HeldFolder:
 
 
 def _label(key: str) -> str:
-    return key.rpartition(".")[2].lstrip("^#").partition("*")[0] or "value"
+    return key.rpartition(".")[2].lstrip("^#") or "value"
 
 
 def _statement(held: Held) -> Statement | None:

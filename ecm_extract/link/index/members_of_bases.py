@@ -34,8 +34,13 @@ def _lines(file: File, program: Program) -> Iterator[int]:
     for mention in file.facts.mentions:
         owner, _, name = mention.name.rpartition(_MARK)
         classes = program.classes.get(owner.rpartition(_MARK)[2], ()) if mention.arguments < 0 else ()
-        if any(name in cls.fields for cls in classes):
+        if any(_declaring(name, cls, program) is not None for cls in classes):
             yield mention.line
+
+
+def _declaring(name: str, cls: Cls, program: Program) -> Cls | None:
+    """The class that says that objects of one have a member."""
+    return next((each for each in program.ancestry(cls) if name in each.fields), None)
 
 
 class _Members:
@@ -57,9 +62,9 @@ class _Members:
     def _read(self, part: Name | Member) -> Expr | None:
         written = part.name if isinstance(part, Member) else part.id
         owner, _, name = written.rpartition(_MARK)
-        cls = self.program.class_named(owner, self.func.file, self.func.scope) if owner else None
-        field = cls.fields.get(name) if cls is not None else None
-        if cls is None or field is None or "static" in field.traits:
+        named = self.program.class_named(owner, self.func.file, self.func.scope) if owner else None
+        cls = _declaring(name, named, self.program) if named is not None else None
+        if cls is None or "static" in cls.fields[name].traits:
             return None
         base = rewritten(part.base, self.meant) if isinstance(part, Member) else THIS
         return Member(base if self._is_alone(name, cls) else Member(base, self._part(cls)), name)

@@ -35,6 +35,11 @@ class Hole(NamedTuple):
     default: str | None = None
     part: str = ""
 
+    @property
+    def shown(self) -> str:
+        """What people call it: what a partial keeps has a name of its own, `make*0`, which stands in no source."""
+        return (self.part or self.label).strip("*").partition("*")[0] or "value"
+
     def of(self, part: str) -> Hole:
         """Return an element or a field of the same."""
         return self._replace(default=None, part=part)
@@ -77,7 +82,7 @@ class Value(NamedTuple):
         """The value with holes as `{label}`."""
         if len(self.parts) == 1 and isinstance(self.parts[0], str):
             return self.parts[0]
-        return "".join([part if isinstance(part, str) else f"{{{part.part or part.label}}}" for part in self.parts])
+        return "".join([part if isinstance(part, str) else f"{{{part.shown}}}" for part in self.parts])
 
     @property
     def parameter(self) -> str:
