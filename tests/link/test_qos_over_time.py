@@ -108,6 +108,7 @@ HANDED_ROWS = [
     ("self.out = self.create_publisher(String, 'a', profile)", "reliable"),
     ("profile.depth = 4", "unknown"),
     ("self.profile = profile", "unknown"),
+    ("self.table = dict(a=profile)", "unknown"),
     ("self.later = lambda: profile", "unknown"),
     ("self.part = outside(profile)", "unknown"),
 ]

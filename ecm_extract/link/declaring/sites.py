@@ -10,8 +10,6 @@ from collections import defaultdict, deque
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from ecm_parsers.source.expr import Expr
-
 from ecm_extract.link.code.calls import Invocation, spreads
 from ecm_extract.link.code.option_structs import spread
 from ecm_extract.link.code.units import Cls, Func
@@ -19,9 +17,8 @@ from ecm_extract.link.declaring.call_targets import CallTargets
 from ecm_extract.link.declaring.closures import given, is_of_parameter
 from ecm_extract.link.declaring.deciding import deciding
 from ecm_extract.link.declaring.escaping import escaping, handed_makers
-from ecm_extract.link.declaring.instead import given_instead
 from ecm_extract.link.declaring.making import Making
-from ecm_extract.link.declaring.match import Matcher, name_argument, positions
+from ecm_extract.link.declaring.match import Matcher, name_argument
 from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
 from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.declaring.prefixes import prefixed
@@ -30,6 +27,7 @@ from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.transports import transported
 from ecm_extract.link.declaring.ways_in import WaysIn
+from ecm_extract.link.declaring.wrappers import remember_wrapper
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.spreading import Spread
@@ -187,7 +185,7 @@ class Sites:
         if params & (given | set(site.root.own_template)) or (params | made) & around:
             if site.form.row.value and site.root not in self._remembered:
                 self._remembered.add(site.root)
-                self._remember_wrapper(site)
+                remember_wrapper(site, self.folder, self.parameters)
             callers = list(self._callers(site))
             yield from callers
             if callers or (params & given and not overrides(site.root) and not self._is_loaded(site.root)):
@@ -203,20 +201,6 @@ class Sites:
             values = self.folder.fold(name, site.env) if name is not None else ()
             known = self._names[site] = values
         return known
-
-    def _remember_wrapper(self, site: Site) -> None:
-        """A function that declares the parameter it is asked for also gives its value."""
-        name = self._parameter_of(name_argument(site.form, site.call), site)
-        stated = next(positions(site.form.default, site.call), None)
-        out = next(positions(site.form.out, site.call), None)
-        default = self._parameter_of(stated or given_instead(site.call, out), site)
-        if name:
-            self.parameters.add_wrapper(site.root, name, default)
-
-    def _parameter_of(self, expr: Expr | None, site: Site) -> str:
-        """Return the parameter of the outermost function that an argument comes from, empty for none."""
-        labels = self.folder.fold(expr, site.env)[0].open("param") if expr is not None else frozenset()
-        return next((entry.name for entry in reversed(site.root.fact.params) if entry.name in labels), "")
 
     def _callers(self, site: Site) -> Iterator[Site]:
         root = site.root

@@ -56,10 +56,11 @@ class LeftByMakers:
 
     def _holding(self, maker: Func) -> Iterator[Expr]:
         """What variables are given, and what calls get that are none of a library which leaves it alone."""
-        yield from (each.value for each in maker.fact.body if each.value and not isinstance(each.value, Call))
+        keeps = self.folder.flow.keeps
+        for value in (each.value for each in maker.fact.body if each.value and each.kind != "do"):
+            yield from () if isinstance(value, Call) and keeps(last_of(value.callee)) else (value,)
         for call in (call for group in maker.calls for call in group):
-            if not leaves_arguments(call.callee, maker) and not self.folder.flow.keeps(last_of(call.callee)):
-                yield from given_to(call)
+            yield from () if leaves_arguments(call.callee, maker) or keeps(last_of(call.callee)) else given_to(call)
 
 
 def _in_lambdas(func: Func) -> frozenset[str]:
