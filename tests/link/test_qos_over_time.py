@@ -119,3 +119,30 @@ def test_a_profile_that_a_constructor_of_python_gets(workspace: Any, body: str, 
     """It stays what it is where the constructor only reads it; who keeps it may change it at any time."""
     found = _qos(workspace.package({"pkg/d.py": HANDED.replace("{body}", body)}))
     assert found["/b"][0] == after
+
+
+CALLING_ITSELF = """
+from rclpy.node import Node
+from rclpy.qos import QoSProfile
+from std_msgs.msg import String
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.profile = QoSProfile(depth=3)
+        while self.more():
+            self.again()
+            self.create_publisher(String, 'a', self.profile)
+    def again(self):
+        while self.more():
+            self.profile = self.next_one(self.profile)
+            self.again()
+    def next_one(self, profile):
+        while self.more():
+            profile.depth += 1
+        return profile
+"""
+
+
+def test_a_profile_that_a_method_gives_which_calls_itself(workspace: Any) -> None:
+    """What it is depends on itself: that is unknown, and asked once."""
+    assert _qos(workspace.package({"pkg/d.py": CALLING_ITSELF}))["/a"][0] == "unknown"

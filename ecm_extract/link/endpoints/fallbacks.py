@@ -38,14 +38,13 @@ def _fallback(site: Site, at: int, folder: Folder) -> Expr | None:
     instead = returned_instead(site.call, out)
     if instead is not None or site.form.default or not isinstance(out, Name | Member):
         return instead
-    if is_made_over(site.call, out) or _is_of_another(out, site, folder):
+    if is_made_over(site.call, out):
         return None
-    if goes_on(site.call):
-        return _held_before(out, site.env, folder)
-    if is_denied(site.call):
+    keeps = goes_on(site.call)
+    if is_denied(site.call) and not keeps:
         return assigned_instead(site.call, out, at) or handed_instead(site.call, out)
-    plainly = isinstance(site.call.statement.value, Call) and site.call.statement.kind == "do"
-    return _held_before(out, site.env, folder) if plainly else None
+    keeps = keeps or (isinstance(site.call.statement.value, Call) and site.call.statement.kind == "do")
+    return _held_before(out, site.env, folder) if keeps and not _is_of_another(out, site, folder) else None
 
 
 def _is_of_another(out: Name | Member, site: Site, folder: Folder) -> bool:

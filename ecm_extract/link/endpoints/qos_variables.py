@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Hashable, Iterable, Set
 from typing import TYPE_CHECKING, Any, Protocol
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name
@@ -47,7 +47,7 @@ class QosVariables:
         self.folder = folder
         self.profiles = profiles
         self._begun: dict[tuple[Cls, str], Policies | None] = {}
-        self._asked: set[Held] = set()
+        self._asked: set[Hashable] = set()
 
     def at(self, expr: Name | Member, env: Env, level: int) -> Policies | None:
         """Return the policies of a variable at a place; None for a variable that nobody gives a profile."""
@@ -168,25 +168,26 @@ class QosVariables:
             before = self._any_of(held.before or (Held("given", held.name),), inner, level)
             return None if before is None else dict(UNSEEN)
         if held.how in {"looped", "reached", "entered"}:
-            return self._before(held, inner, level)
+            return self._once(held, held.before, inner, level)
         if held.how == "after":
             left = self.folder.behind_calls.left(held, inner)
-            return self._any_of(left[0], left[1].deeper(env.depth + 1), level + 1) if left is not None else None
+            what, place = (inner.func, held.expr, held.name), left[1].deeper(env.depth + 1) if left is not None else env
+            return self._once(what, left[0], place, level + 1) if left is not None else None
         if held.how == "out":
             return self._handed_out(held, inner, level)
         if held.how in {"given", "shared"}:
             return self._left_alone(held, inner, level)
         return dict(UNSEEN) if held.how in {"lost", "stored", "read"} else None
 
-    def _before(self, held: Held, env: Env, level: int) -> Policies | None:
-        """What was there before; a round of a loop may begin with what it leaves, in which each policy is unknown."""
-        if held in self._asked:
+    def _once(self, what: Hashable, helds: Iterable[Held], env: Env, level: int) -> Policies | None:
+        """What some things are; of what depends on itself, by a loop or a method that calls itself, all is unknown."""
+        if what in self._asked:
             return dict(UNSEEN)
-        self._asked.add(held)
+        self._asked.add(what)
         try:
-            return self._any_of(held.before, env, level)
+            return self._any_of(helds, env, level)
         finally:
-            self._asked.discard(held)
+            self._asked.discard(what)
 
     def _left_alone(self, held: Held, env: Env, level: int) -> Policies | None:
         """What a variable is that the function at hand has given nothing yet."""

@@ -34,13 +34,8 @@ def _lines(file: File, program: Program) -> Iterator[int]:
     for mention in file.facts.mentions:
         owner, _, name = mention.name.rpartition(_MARK)
         classes = program.classes.get(owner.rpartition(_MARK)[2], ()) if mention.arguments < 0 else ()
-        if any(_declaring(name, cls, program) is not None for cls in classes):
+        if any(name in each.fields for cls in classes for each in program.ancestry(cls)):
             yield mention.line
-
-
-def _declaring(name: str, cls: Cls, program: Program) -> Cls | None:
-    """The class that says that objects of one have a member."""
-    return next((each for each in program.ancestry(cls) if name in each.fields), None)
 
 
 class _Members:
@@ -63,8 +58,10 @@ class _Members:
         written = part.name if isinstance(part, Member) else part.id
         owner, _, name = written.rpartition(_MARK)
         named = self.program.class_named(owner, self.func.file, self.func.scope) if owner else None
-        cls = _declaring(name, named, self.program) if named is not None else None
-        if cls is None or "static" in cls.fields[name].traits:
+        lineage = self.program.ancestry(named) if named is not None else ()
+        cls = next((each for each in lineage if name in each.fields), None)
+        field = cls.fields.get(name) if cls is not None else None
+        if cls is None or field is None or "static" in field.traits or not (cls is named or self._is_once(cls)):
             return None
         base = rewritten(part.base, self.meant) if isinstance(part, Member) else THIS
         return Member(base if self._is_alone(name, cls) else Member(base, self._part(cls)), name)
@@ -75,6 +72,11 @@ class _Members:
         for derived in self.program.derived(cls):
             derived.fields.setdefault(name, Field(name, f"{cls.qualified} &", derived.fact.line))
         return name
+
+    def _is_once(self, cls: Cls) -> bool:
+        """Whether no object may have two parts by a class, of which the one by another class is meant."""
+        bases = (self.program.bases(each) for each in self.program.derived(cls))
+        return all(sum(cls in self.program.ancestry(base) for base in each) <= 1 for each in bases)
 
     def _is_alone(self, name: str, cls: Cls) -> bool:
         """Whether no object that has a member by a class has another one of its name."""
