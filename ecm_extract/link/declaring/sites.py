@@ -37,6 +37,7 @@ from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.dead_code import DeadCode
 from ecm_extract.link.running.env import Env, Instance
+from ecm_extract.link.running.given_functions import GivenFunctions
 from ecm_extract.link.running.values import Value
 
 _LOADS_ALL = "getDeclaredClasses"
@@ -89,6 +90,7 @@ class Sites:
             self.calls[name].append(call)
         for call in escaping(program.every_function(), handed_makers(matcher.forms)):
             self.calls[call.last].append(call)
+        self._given = GivenFunctions(self.folder)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
         self.folder.states.callers.making = self._made
@@ -155,13 +157,19 @@ class Sites:
                 continue
             wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
             further = (current.certain, current.owner, *((each.chain, each.owner, each.env.this) for each in wider))
-            if not wider:
+            if not wider or self._has_other_callers(current, wider):
                 closed.extend(map(self._spread_out, self.ways.in_each_state(current.as_written())))
-            elif further not in widened:  # states of what was outermost make no difference further out
+            if wider and further not in widened:  # states of what was outermost make no difference further out
                 widened.add(further)
                 pending.extend(wider)
         closed += [replace(site, certain=False)] * any(map(self._goes_on, closed))
         return self._alike_in_all_states(closed)
+
+    def _has_other_callers(self, site: Site, wider: Sequence[Site]) -> bool:
+        """Tell whether somebody may call the outermost function of a site who is none of those that do."""
+        calls = self.callers(site.root)
+        called = any(each.chain and each.chain[0] in calls for each in wider)
+        return called and self._given.has(site.root)
 
     def _goes_on(self, site: Site) -> bool:
         """Tell whether a function calls itself once more than is followed."""

@@ -49,8 +49,8 @@ class Lent:
         """Tell whether no other function can run in place of one."""
         derived = self.folder.program.derived(callee.cls) if callee.cls is not None else ()
         others = {method.fact.name for entry in derived for method in entry.methods}
-        same = [each for each in callee.siblings() if each.fact.body]
-        return callee.fact.name not in others and len(same) == 1 and not callee.fact.decorators
+        same = any(each.fact.body for each in callee.siblings() if each is not callee)
+        return callee.fact.name not in others and not same and not callee.fact.decorators
 
     def _is_seen_inside(self, func: Func, name: str) -> bool:
         return any(name in self.folder.shifting.names(inner) for inner in self.folder.nesting.inner(func))

@@ -68,13 +68,22 @@ def _maker(reader: ExprReader, listed: Node) -> tuple[str, Sequence[str]]:
 
 def invoked(call: Call) -> Call | None:
     """Return what a call calls, or makes somebody call, with values that it gives; None of others."""
-    before = _before(call.callee.id, call.types) if isinstance(call.callee, Name) else None
-    if before is None:
-        return None
-    args = call.args
-    while args and isinstance(args[0], Name) and _is_before(args[0].id, before):
-        args = args[1:]
+    args = _from_function(call)
     return _called(args[0], args[1:], call.line) if len(args) > 1 else None
+
+
+def called_by(call: Call) -> Expr | None:
+    """Return the argument of a call that `invoked` tells the call of; None of others."""
+    return _from_function(call)[0] if invoked(call) is not None else None
+
+
+def _from_function(call: Call) -> tuple[Expr, ...]:
+    """The function that a call calls, and what it gives that; nothing of calls that call none."""
+    before = _before(call.callee.id, call.types) if isinstance(call.callee, Name) else None
+    args = call.args if before is not None else ()
+    while before and args and isinstance(args[0], Name) and _is_before(args[0].id, before):
+        args = args[1:]
+    return args
 
 
 def with_copies(call: Call, mark: str) -> tuple[Call, Mapping[str, Expr]]:
