@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table, Template, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table
+
+from ecm_extract.link.code.texts import makes_text
 
 
 def bare_names(expr: Expr | None) -> Iterator[Expr]:
@@ -20,14 +22,9 @@ def bare_names(expr: Expr | None) -> Iterator[Expr]:
     elif isinstance(expr, Op) and expr.op in {"?:", "||", "&&"}:
         for operand in expr.operands:
             yield from bare_names(operand)
-    elif isinstance(expr, Call) and not _is_of_text(expr):
+    elif isinstance(expr, Call) and not makes_text(expr):  # `"_".join(names)` keeps nothing of what it gets
         for arg in (*expr.args, *(value for _, value in expr.keywords)):
             yield from bare_names(arg)
-
-
-def _is_of_text(call: Call) -> bool:
-    """Whether a call is one of a method of a text, which keeps nothing of what it gets: `"_".join(names)`."""
-    return isinstance(call.callee, Member) and isinstance(call.callee.base, Text | Template)
 
 
 def shared_names(expr: Expr | None) -> Iterator[Expr]:

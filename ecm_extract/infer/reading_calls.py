@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
-from typing import TYPE_CHECKING, Final
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Final, TypeAlias
 
 from ecm_parsers.source.expr import THIS, Call, Comprehension, Expr, Items, Member, Name, Op, Table, Template, Text
 
-from ecm_extract.infer.library_calls import Calls, calls_of
+from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.link.code.full_names import full_name
 from ecm_extract.link.code.walk import dotted, last_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
 
+_Says: TypeAlias = "Callable[[Expr, Func, int], bool]"
 _DISPLAYS: Final = (Text, Template, Items, Table, Comprehension)
-_MAX_STEPS: Final = 4
-"""Variables that are looked through."""
+_MAX_STEPS: Final = 8
+"""Variables, sums and methods that are looked through."""
 
 
 def leaves_arguments(callee: Expr, func: Func) -> bool:
@@ -30,22 +31,34 @@ def leaves_arguments(callee: Expr, func: Func) -> bool:
     if not isinstance(callee, Member):
         return isinstance(callee, Name) and callee.id in calls.reading and callee.id not in imported
     if callee.name in calls.reading_methods:
-        return _is_one(callee.base, func, calls, calls.built_in)
-    return callee.name in calls.logging_methods and _is_one(callee.base, func, calls, calls.loggers)
+        return _is_one(callee.base, func, _is_built_in)
+    return callee.name in calls.logging_methods and _is_one(callee.base, func, _is_logger)
 
 
-def _is_one(expr: Expr | None, func: Func, calls: Calls, makers: Set[str], steps: int = 0) -> bool:
-    """Whether an expression is an object of a built-in type, or a logger: all that a variable is given says so."""
-    if isinstance(expr, _DISPLAYS):
-        return makers is calls.built_in
-    if isinstance(expr, Call):
-        base = expr.callee.base if isinstance(expr.callee, Member) else None
-        of_one = base is not None and last_of(expr.callee) in calls.reading_methods
-        return last_of(expr.callee) in makers or (of_one and _is_one(base, func, calls, makers, steps))
+def _is_one(expr: Expr, func: Func, says: _Says, steps: int = 0) -> bool:
+    """Whether an expression is an object of a kind: it says so itself, or all that a variable is given does."""
+    if steps > _MAX_STEPS:
+        return False
+    given = list(_given(expr, func))
+    return says(expr, func, steps) or (bool(given) and all(_is_one(each, func, says, steps + 1) for each in given))
+
+
+def _is_built_in(expr: Expr, func: Func, steps: int) -> bool:
+    """Whether an expression is of a built-in type, by its form: `[a]`, `"x" + a`, `str(a).strip()`."""
     if isinstance(expr, Op):
-        return expr.op in {"%", "+"} and _is_one(expr.operands[0], func, calls, makers, steps)
-    given = list(_given(expr, func)) if expr is not None and steps < _MAX_STEPS else []
-    return bool(given) and all(_is_one(each, func, calls, makers, steps + 1) for each in given)
+        return expr.op in {"%", "+"} and _is_one(expr.operands[0], func, _is_built_in, steps + 1)
+    if not isinstance(expr, Call):
+        return isinstance(expr, _DISPLAYS)
+    calls, written = calls_of("python"), dotted(expr.callee) or ""
+    if (full_name(written, func.file.imported) or written) in calls.built_in:
+        return True
+    callee = expr.callee
+    of_one = isinstance(callee, Member) and callee.name in calls.reading_methods
+    return of_one and isinstance(callee, Member) and _is_one(callee.base, func, _is_built_in, steps + 1)
+
+
+def _is_logger(expr: Expr, _func: Func, _steps: int) -> bool:
+    return isinstance(expr, Call) and last_of(expr.callee) in calls_of("python").loggers
 
 
 def _given(expr: Expr, func: Func) -> Iterator[Expr]:
@@ -53,7 +66,7 @@ def _given(expr: Expr, func: Func) -> Iterator[Expr]:
     if isinstance(expr, Name):
         parameter = next((each for each in func.fact.params if each.name == expr.id), None)
         if parameter is not None:
-            yield Call(Name(parameter.type.partition("[")[0].rpartition(".")[2]), ()) if parameter.type else expr
+            yield Call(Name(parameter.type.partition("[")[0]), ()) if parameter.type else expr
         yield from _values(expr, func)
         constants = (each for each in func.file.facts.constants if each.name == expr.id)
         yield from (expr if each.value is None else each.value for each in constants)
