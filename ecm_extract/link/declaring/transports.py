@@ -53,16 +53,9 @@ def _transport(call: Invocation, form: Form) -> Expr | None:
         found = (_hints(arg, call) for arg in call.args)
         return next((each for each in found if each is not None), None)
     given = next(positions(form.transport, call), None)
-    asks = isinstance(given, Call) and isinstance(given.callee, Member) and last_of(given.callee) in _asking()
-    return (
-        _hints(given.callee.base, call)
-        if asks and isinstance(given, Call) and isinstance(given.callee, Member)
-        else given
-    )
-
-
-def _asking() -> list[str]:
-    return list(_table()["hints"]["asking"])
+    asked = given.callee if isinstance(given, Call) else None
+    is_of_hints = isinstance(asked, Member) and asked.name in _table()["hints"]["asking"]
+    return _hints(asked.base, call) if is_of_hints and isinstance(asked, Member) else given
 
 
 def _hints(arg: Expr, call: Invocation) -> Expr | None:

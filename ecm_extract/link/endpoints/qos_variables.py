@@ -170,14 +170,18 @@ class QosVariables:
         if held.how in {"looped", "reached", "entered"}:
             return self._once(held, held.before, inner, level)
         if held.how == "after":
-            left = self.folder.behind_calls.left(held, inner)
-            what, place = (inner.func, held.expr, held.name), left[1].deeper(env.depth + 1) if left is not None else env
-            return self._once(what, left[0], place, level + 1) if left is not None else None
+            return self._behind_call(held, env, level)
         if held.how == "out":
             return self._handed_out(held, inner, level)
         if held.how in {"given", "shared"}:
             return self._left_alone(held, inner, level)
         return dict(UNSEEN) if held.how in {"lost", "stored", "read"} else None
+
+    def _behind_call(self, held: Held, env: Env, level: int) -> Policies | None:
+        """What a method of the tree leaves a member with."""
+        place = held.env or env
+        left, what = self.folder.behind_calls.left(held, place), (place.func, held.expr, held.name)
+        return self._once(what, left[0], left[1].deeper(env.depth + 1), level + 1) if left is not None else None
 
     def _once(self, what: Hashable, helds: Iterable[Held], env: Env, level: int) -> Policies | None:
         """What some things are; of what depends on itself, by a loop or a method that calls itself, all is unknown."""

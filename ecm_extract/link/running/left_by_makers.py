@@ -29,14 +29,14 @@ class LeftByMakers:
         """Tell whether the class that a call makes an object of leaves an argument alone, and keeps it nowhere."""
         env = Env(func, at, this=func.cls)
         maker = self._maker(call, env)
-        given = bind(maker, invocation_of(call, env), env) if maker is not None else {}
-        names = [name for name, bound in given.items() if bound.expr is arg]
-        parameters = self.folder.methods.parameters
-        return (
-            bool(names)
-            and maker is not None
-            and not any(parameters.may(maker, name) or self._keeps(maker, name) for name in names)
-        )
+        if maker is None:
+            return False
+        names = [name for name, bound in bind(maker, invocation_of(call, env), env).items() if bound.expr is arg]
+        return bool(names) and not any(self._takes(maker, name) for name in names)
+
+    def _takes(self, maker: Func, name: str) -> bool:
+        """Whether a constructor may change a parameter, or keeps it."""
+        return self.folder.methods.parameters.may(maker, name) or self._keeps(maker, name)
 
     def _maker(self, call: Call, env: Env) -> Func | None:
         """The constructor that a call of a class runs."""
@@ -56,11 +56,15 @@ class LeftByMakers:
 
     def _holding(self, maker: Func) -> Iterator[Expr]:
         """What variables are given, and what calls get that are none of a library which leaves it alone."""
-        keeps = self.folder.flow.keeps
-        for value in (each.value for each in maker.fact.body if each.value and each.kind != "do"):
-            yield from () if isinstance(value, Call) and keeps(last_of(value.callee)) else (value,)
+        for each in maker.fact.body:
+            if each.value and each.kind != "do" and not self._is_of_client_library(each.value):
+                yield each.value
         for call in (call for group in maker.calls for call in group):
-            yield from () if leaves_arguments(call.callee, maker) or keeps(last_of(call.callee)) else given_to(call)
+            if not leaves_arguments(call.callee, maker) and not self._is_of_client_library(call):
+                yield from given_to(call)
+
+    def _is_of_client_library(self, value: Expr) -> bool:
+        return isinstance(value, Call) and self.folder.flow.keeps(last_of(value.callee))
 
 
 def _in_lambdas(func: Func) -> frozenset[str]:
