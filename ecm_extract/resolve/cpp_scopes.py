@@ -57,6 +57,9 @@ class Scopes:
         for prefix in enclosing_scopes(scope.removeprefix("::")) if bare is name else ("",):
             found = [joined(prefix, bare), *_through_usings(prefix, bare, view)]
             yield list(dict.fromkeys(each for one in found for each in self._meanings(one, view, depth)))
+            brought = [each for one in found for each in _brought(one, view)]
+            if brought:
+                yield brought
 
     def _meanings(self, qualified: str, view: View, depth: int) -> Iterator[str]:
         """A qualified name, and what it is by the bases and aliases of what stands in front of it."""
@@ -79,6 +82,13 @@ class Scopes:
                     full = "::".join([target, *parts[count:]])
                     for level in self.levels(full, entry.scope, view, depth + 1):
                         yield from level
+
+
+def _brought(qualified: str, view: View) -> Iterator[str]:
+    """What a qualified name means by the using-directives of the namespace in front, which has none of that name."""
+    owner, _, last = qualified.rpartition("::")
+    if owner and owner in view.usings:
+        yield from _through_usings(owner, last, view)
 
 
 def _through_usings(scope: str, name: str, view: View) -> Iterator[str]:

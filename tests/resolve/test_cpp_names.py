@@ -49,6 +49,26 @@ SCOPES = {
         f"Own::Part part; {OPEN}",
         {"/inner"},
     ),
+    "inline namespace": (
+        f"namespace a {{ inline namespace v2 {{ {part('Part', 'new')} }} namespace v1 {{ {part('Part', 'old')} }} }}\n",
+        f"a::Part part; {OPEN}",
+        {"/new"},
+    ),
+    "inline namespace, by its name": (
+        f"namespace a::inline v2 {{ {part('Part', 'new')} }}\n",
+        f"a::v2::Part part; {OPEN}",
+        {"/new"},
+    ),
+    "a namespace that uses another": (
+        f"{TWO_SPACES}namespace c {{ using namespace a; }}\n",
+        f"c::Part part; {OPEN}",
+        {"/a"},
+    ),
+    "a namespace that uses another, and has its own": (
+        f"{TWO_SPACES}namespace c {{ using namespace a; {part('Part', 'own')} }}\n",
+        f"c::Part part; {OPEN}",
+        {"/own"},
+    ),
     "an alias of something outside": (
         f"{part('Part', 'own')} namespace a {{ using Part = elsewhere::Part; }}\n",
         f"a::Part part; {OPEN}",

@@ -23,6 +23,7 @@ from ecm_parsers.source.cpp_lambdas import DeclaredFunctions
 from ecm_parsers.source.cpp_macro_values import macro_value
 from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
 from ecm_parsers.source.cpp_parameters import declared_name, parameters, specialized
+from ecm_parsers.source.cpp_namespaces import opened
 from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.cpp_vexing import is_call_of_macro
 from ecm_parsers.source.expr import Call, Expr, Items, Name, Number, Op
@@ -94,12 +95,17 @@ class DeclarationReader:
             words = [words[1], self.expr.text(child) if child.child_count == 0 else ""]
 
     def namespace(self, node: Node, place: Place) -> None:
-        """A namespace, anonymous ones included."""
-        name, body = node.child_by_field_name("name"), node.child_by_field_name("body")
-        if body is not None:
-            inner = place.inside(self.expr.text(name).replace(" ", "") if name is not None else "")
-            self._namespaces.append((*lines_of(body), inner.scope))
-            self.read(body, inner)
+        """A namespace, anonymous ones included; what is in an inline one counts as in the one around it."""
+        body = node.child_by_field_name("body")
+        if body is None:
+            return
+        for name, inline in opened(node):
+            if inline:
+                self.aliases.append(Alias(name, place.scope, f"::{place.scope}", lines_of(node)[0]))
+            else:
+                place = place.inside(name)
+        self._namespaces.append((*lines_of(body), place.scope))
+        self.read(body, place)
 
     def namespace_at(self, line: int) -> str:
         """Return the innermost namespace around a line of what was read; empty outside of all."""
