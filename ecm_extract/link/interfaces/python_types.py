@@ -56,9 +56,9 @@ class PythonTypes:
             return self.types.expression(bound.expr, bound.env, role)
         if expr.id in env.func.given:
             return TypeFound(None, frozenset({expr.id}))
-        ways = self.folder.flow.ways(expr, env)
-        if ways:
-            return self._only((held for way in ways for held in way), env, role)
+        helds = [held for way in self.folder.flow.ways(expr, env) for held in way]
+        if any(_handed(held).how != "given" for held in helds):
+            return self._only(helds, env, role)
         return self._starred(expr.id, env, role)
 
     def _attribute(self, expr: Member, env: Env, role: Role) -> TypeFound:
