@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence, Set
+from typing import Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Op
 from ecm_parsers.source.facts import Statement
@@ -12,7 +13,7 @@ from ecm_extract.link.code.pointed import makes_pointed
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.texts import is_text_type
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import children, last_of
 from ecm_extract.link.declaring.match import handle_argument, name_argument, positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.data import plain_type
@@ -23,6 +24,7 @@ from ecm_extract.link.running.values import Hole, Value
 
 MAX_CHAIN = 5
 """Calls through which a handle or a profile is followed."""
+_OF_TABLES: Final = frozenset({"get", "pop"})
 _INITIALISING = frozenset({"init", "let", "set"})
 """Statements by which a constructor makes a member: in its initialiser list, or in its body."""
 
@@ -108,7 +110,7 @@ class Openness:
 
     def _is_made_of(self, name: str, func: Func) -> bool:
         """Tell whether a function takes by this name what a profile is made of; of an object one part alone may be."""
-        given = [plain_type(entry.type) for entry in func.fact.params if entry.name == name]
+        given = [plain_type(entry.type) for entry in func.fact.params if entry.name.lstrip("*") == name]
         named = self.folder.program.class_named
         return bool(given) and not any(named(written, func.file, func.scope) for written in given)
 
@@ -190,7 +192,8 @@ def _parts(expr: Expr | None) -> Iterator[Expr | None]:
         yield whole
         return
     callee = whole.callee
-    chained = [callee.base] if isinstance(callee, Member) and isinstance(callee.base, Call) else []
+    of_table = last_of(callee) in _OF_TABLES  # `options.get("depth", 5)`
+    chained = [callee.base] if isinstance(callee, Member) and (of_table or isinstance(callee.base, Call)) else []
     for part in (*chained, *whole.args, *(value for _, value in whole.keywords)):
         yield from _parts(part)
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import Call, Expr, Member, Op
 
 from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.folding.popped import POP
 from ecm_extract.link.running.env import Bound, Env
 
 if TYPE_CHECKING:
@@ -39,13 +40,17 @@ class PickedProfiles:
         if not isinstance(callee, Member):
             return None
         if env.func.file.language == "python":
-            is_get = callee.name == _GET and bool(call.args)
-            return self.folder.tables.element_or(callee.base, call.args, env) if is_get else None
+            return self._of_table(callee, call, env) if call.args else None
         if callee.name in _ENDS and not call.args:
             items = self.folder.lists.items(callee.base, env)
             return items[_ENDS[callee.name]] if items else None
         full = self.folder.optionals.holds(callee.base, env) if callee.name == _OR and len(call.args) == 1 else None
         return None if full is None else Bound(callee.base if full else call.args[0], env)
+
+    def _of_table(self, callee: Member, call: Call, env: Env) -> Bound | None:
+        if callee.name == POP:
+            return self.folder.popped.element(callee.base, call.args, env)
+        return self.folder.tables.element_or(callee.base, call.args, env) if callee.name == _GET else None
 
     def enumerator(self, expr: Expr, env: Env) -> str:
         """Return a preset that is asked for by its name, `QoSPresetProfiles["SENSOR_DATA"]`; empty for all else."""

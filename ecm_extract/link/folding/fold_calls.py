@@ -29,6 +29,7 @@ from ecm_extract.link.folding.held_formats import with_format
 from ecm_extract.link.folding.instances import is_instance
 from ecm_extract.link.folding.of_templates import spelled
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
+from ecm_extract.link.folding.popped import POP
 from ecm_extract.link.folding.text_functions import TEXT_FUNCTIONS
 from ecm_extract.link.folding.tuple_parts import part_by_place
 from ecm_extract.link.running.env import Env, invocation_of
@@ -242,7 +243,7 @@ class CallFolder:
         work = table.get(call.path) if call.receiver is None else None
         if work is not None and not call.keywords:
             return self.folder.combined([self.folder.fold(arg, env) for arg in call.args], work, call.last)
-        if call.receiver is not None and call.last in {"at", "front", "back", "get"}:
+        if call.receiver is not None and call.last in {"at", "front", "back", "get", POP}:
             return self._element(call, env)
         return None
 
@@ -250,16 +251,20 @@ class CallFolder:
         return call.path == "len" and len(call.args) == 1 if python else call.receiver is not None and not call.args
 
     def _element(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
-        """`names.at(0)`, `names.back()`, `table.get(key, default)`."""
+        """`names.at(0)`, `names.back()`, `table.get(key, default)`, `table.pop(key, default)`."""
         receiver = call.receiver
+        if call.last == POP:
+            return self.folder.popped.value(call, env)
         if call.last in {"front", "back"} and not call.args:
             items = self.folder.lists.items(receiver, env)
             return demoted(self.folder.lists.fold(items[0 if call.last == "front" else -1], env)) if items else None
         if call.last == "at" and len(call.args) == 1:
             return self.folder.lists.elements(receiver, env, call.args[0])
-        entries = self.folder.tables.entries(receiver, env) if call.last == "get" and 1 <= len(call.args) <= 2 else None
-        if entries is None:
+        if receiver is None or call.last != "get" or not 1 <= len(call.args) <= 2:
             return None
+        entries = self.folder.tables.entries(receiver, env)
+        if entries is None:
+            return self.folder.popped.of_giver(receiver, env)
         return self.folder.tables.entry_or(entries, call.args[0], call.args[1:], env)
 
     def _of_environment(self, call: Invocation, env: Env) -> tuple[Value, ...]:

@@ -297,6 +297,8 @@ class TableFolder:
         name, args = call.callee.name, call.args
         if name == "clear" and not args:
             return []
+        if name == "pop" and args and env.func.file.language == "python":
+            return self.folder.popped.left(entries, args[0], env)
         if name == "update" and len(args) <= 1 and (args or env.func.file.language == "python"):
             keys = [SPREAD_KEY if key == SPREAD else Text(key) for key, _ in call.keywords]
             named = Table(tuple(zip(keys, [value for _, value in call.keywords], strict=True)))

@@ -6,6 +6,8 @@ maker too, as a plugin does that another plugin makes.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.site import Site
@@ -30,10 +32,19 @@ def _made(site: Site, sites: Sites, modules: Modules) -> Cls | None:
     """The class with a contract of its own that the calls of a site make, the innermost of several."""
     followed = (*site.chain[1:], site.call)
     for call, inner in reversed(list(zip(site.chain, followed, strict=False))):
-        cls = inner.func.cls
-        if cls is not None and cls in modules.by_class and _is_home(call, cls) and sites.makes(call, cls):
-            return cls
+        for cls in _run_on(inner, site, sites):
+            if cls in modules.by_class and _is_home(call, cls) and sites.makes(call, cls):
+                return cls
     return None
+
+
+def _run_on(inner: Invocation, site: Site, sites: Sites) -> Iterator[Cls]:
+    """The class whose function a call stands in, and the one of the object at hand where that derives from it."""
+    own, exact = inner.func.cls, site.exact
+    if own is not None:
+        yield own
+    if own is not None and exact is not None and exact is not own and own in sites.program.ancestry(exact):
+        yield exact
 
 
 def _is_home(call: Invocation, cls: Cls) -> bool:

@@ -22,8 +22,8 @@ from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_lambdas import DeclaredFunctions
 from ecm_parsers.source.cpp_macro_values import macro_value
 from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
-from ecm_parsers.source.cpp_parameters import declared_name, parameters, specialized
 from ecm_parsers.source.cpp_namespaces import opened
+from ecm_parsers.source.cpp_parameters import declared_name, parameters, specialized
 from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.cpp_vexing import is_call_of_macro
 from ecm_parsers.source.expr import Call, Expr, Items, Name, Number, Op
