@@ -35,7 +35,7 @@ def call_index(program: Program, wanted: Set[str], aliases: Set[str]) -> dict[st
             for call in beginnings(cls):
                 index[call.last].append(call)
     for name in sorted(aliases):
-        for call in index.get(name, ()):
+        for call in tuple(index.get(name, ())):
             _add_meant(call, program, index, wanted)
     return index
 
@@ -49,7 +49,7 @@ def _add_meant(call: Invocation, program: Program, index: dict[str, list[Invocat
         return  # a pointer, or what a template calls a type, such as that of its callbacks
     types = call.types or template_arguments(target)
     cls = program.class_named(call.path, call.func.file, call.func.scope)
-    if cls is not None:
+    if cls is not None and cls.fact.name != call.last:  # a class that is called like its alias has the call already
         index[cls.fact.name].append(replace(call, types=types))
     elif last_name(plain(target)) in wanted:
         index[last_name(plain(target))].append(replace(call, path=plain(target), types=types))

@@ -32,8 +32,12 @@ class Decisions:
         self._truths = truths
         self._deciding: dict[Fork, None] = {}
         self._meanwhile: dict[Fork, Verdict] = {}
-        self._live = Leading("live", lambda fork, holds: self.of(fork).holds is not (not holds), self._is_decided)
-        self._likely = Leading("likely", lambda fork, holds: self.of(fork).likely is not (not holds), self._is_decided)
+        self._live = Leading(
+            folder, "live", lambda fork, holds: self.of(fork).holds is not (not holds), self._is_decided
+        )
+        self._likely = Leading(
+            folder, "likely", lambda fork, holds: self.of(fork).likely is not (not holds), self._is_decided
+        )
         self._taken = Ways(folder, "taken", self._live_parts)
         self._expected = Ways(folder, "expected", self._likely_parts)
 
@@ -52,11 +56,13 @@ class Decisions:
             return OPEN
         cuts = self.folder.cuts
         self._deciding[fork] = None
+        self._moved_on()
         try:
             with self.folder.steps.apart():
                 found = self._asked(fork)
         finally:
             del self._deciding[fork]
+            self._moved_on()
         if cuts == self.folder.cuts or not self.folder.flow.is_busy:
             fork.found = found
         else:
@@ -80,6 +86,11 @@ class Decisions:
         self._meanwhile.clear()
         self._live.answered()
         self._likely.answered()
+        self._moved_on()
+
+    def _moved_on(self) -> None:
+        for each in (self._live, self._likely, self._taken, self._expected):
+            each.moved_on()
 
     def _is_decided(self, fork: Fork) -> bool:
         """Whether what a branch asks is decided, if only until the question at hand is answered."""

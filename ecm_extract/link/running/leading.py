@@ -3,9 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Literal
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
 
 from ecm_extract.infer.routes import START, Fork, Route
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+@dataclass(slots=True)
+class _Found:
+    """What is found of routes from one place on, and whether a bound had a say in any of it."""
+
+    known: dict[Route, bool]
+    is_cut: bool = False
 
 
 class Leading:
@@ -13,6 +25,7 @@ class Leading:
 
     def __init__(
         self,
+        folder: Folder,
         reading: Literal["live", "likely"],
         passes: Callable[[Fork, bool], bool],
         is_decided: Callable[[Fork], bool],
@@ -21,19 +34,38 @@ class Leading:
 
         What stays so only as long as a question is answered is kept until then (see `answered`).
         """
+        self._folder = folder
         self._reading = reading
         self._passes = passes
         self._is_decided = is_decided
         self._meanwhile: dict[Route, bool] = {}
+        self._found_since: dict[Route, _Found] = {}
 
     def answered(self) -> None:
         """Forget what held only within a question."""
         self._meanwhile.clear()
 
+    def moved_on(self) -> None:
+        """Forget what held only as long as the same branches were being decided."""
+        self._found_since.clear()
+
     def leads(self, route: Route, since: Route) -> bool:
         """Tell whether a run may come along a route from a place on it that it came by; none of it recurses."""
+        found = self._found_since.get(since)
+        if found is None:
+            found = self._found_since[since] = _Found({since: True})
+        if route in found.known:
+            self._folder.cuts += found.is_cut
+            return found.known[route]
+        cuts = self._folder.cuts
+        self._walk(route, since, found.known)
+        if self._found_since.get(since) is found:
+            found.is_cut = found.is_cut or self._folder.cuts != cuts
+        return found.known[route]
+
+    def _walk(self, route: Route, since: Route, known: dict[Route, bool]) -> None:
+        """Find whether a run may come along a route, and along those that it needs for that."""
         is_whole = since is START or self._kept(since) is True  # whoever comes by there comes from the beginning
-        known = {since: True}
         pending = [route]
         while pending:
             at = pending[-1]
@@ -42,7 +74,6 @@ class Leading:
                 pending.append(next(before for before in at.before if before not in known))
             else:
                 known[pending.pop()] = found
-        return known[route]
 
     def _found(self, at: Route, known: Mapping[Route, bool], is_whole: bool) -> bool | None:
         """Whether a run comes to a place, by what is known of the places before it; None where that does not tell."""
