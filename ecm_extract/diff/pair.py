@@ -31,11 +31,11 @@ from ecm_extract.diff.scores import score
 from ecm_extract.diff.settings import SettingFiles
 from ecm_extract.diff.shared_parts import SharedParts
 from ecm_extract.diff.sharing import by_sharers
-from ecm_extract.diff.similarity import in_package, last_part, same_language
+from ecm_extract.diff.similarity import last_part
 from ecm_extract.diff.successors import stated_successor
+from ecm_extract.diff.with_package import WithPackage
 
 _GENERATED = "*.yaml"
-_WITH_PACKAGE = 0.95
 
 
 @dataclass(slots=True)
@@ -69,6 +69,7 @@ class Pairing:
         self.homes: dict[str, str] = {}
         self.bases = Bases(new)
         self._parts = SharedParts(old.values(), new.values())
+        self._packaged = WithPackage(old, new)
         self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in module_kinds()}
         self._owners = frozenset((key[1], key[2] or key[3]) for key in new)
 
@@ -129,8 +130,14 @@ class Pairing:
     def _by_file(self, kind: str) -> None:
         """What its file alone declared of a kind has moved with the file, however it is called now."""
         for found in list(alone_in_moved_files(kind, self.old.values(), self.new.values(), self.evidence.files)):
-            if found.old is not None and found.new is not None and self._parts.may_be_one(found.old, found.new):
+            old, new = found.old, found.new
+            if old is not None and new is not None and not self._lives_on(old) and self._parts.may_be_one(old, new):
                 self.take(found)
+
+    def _lives_on(self, symbol: Provision) -> bool:
+        """Whether the package has one of its name elsewhere: what is made out of its file is another one then."""
+        names = (last_part(key[3]) for key in self.all_new if key[:2] == symbol.key[:2])
+        return symbol.row.symbol and last_part(symbol.name) in names
 
     def _nodes(self) -> None:
         """Nodes under another name, or made by something else; a launch file that starts other ones is no change."""
@@ -153,15 +160,9 @@ class Pairing:
 
     def _with_their_package(self, kind: str) -> None:
         """What a package offers goes with it under its new name."""
-        for entity in list(self.old.values()) if kinds()[kind].released else ():
-            package = self.packages.get(entity.package)
-            if package is None or entity.is_of_module:
-                continue
-            owner, name = (in_package(text, entity.package, package) for text in (entity.owner, entity.name))
-            target = self.new.get((entity.kind, package, owner, name, entity.facet))
-            if target is not None and same_language(entity, target):
-                how: How = "moved" if name == entity.name or entity.row.qualified else "renamed"
-                self.take(Pair(entity, target, how, _WITH_PACKAGE, f"its package is {package} now"))
+        if kinds()[kind].released:
+            for found in list(self._packaged.pairs(self.old, self.new, self.packages)):
+                self.take(found)
 
     def _by_sharers(self) -> None:
         """What a module has now by a line of another one is still its own."""
@@ -329,7 +330,7 @@ class Pairing:
             for column, new in enumerate(after):
                 if not self._parts.may_be_one(old, new):
                     continue
-                known = not old.is_value or (old.owner, new.owner) in kin
+                known = _may_be_of(old, new) or (old.owner, new.owner) in kin
                 found = score(old, new, self.evidence.files, self.evidence.history, known)
                 if found is not None:
                     scores[row, column], reasons[row, column] = found
@@ -337,6 +338,11 @@ class Pairing:
             confidence = round(min(0.99, scores[row, column]), 2)
             how: How = "moved" if before[row].name == after[column].name else "renamed"
             self.take(Pair(before[row], after[column], how, confidence, reasons[row, column]))
+
+
+def _may_be_of(old: Provision, new: Provision) -> bool:
+    """Whether it may be of another module than it was: a channel that is called so in its place."""
+    return not old.is_of_module or (old.is_endpoint and last_part(old.name) == last_part(new.name))
 
 
 def _may_be(old: Provision, new: Provision) -> bool:
