@@ -14,10 +14,11 @@ _WITH_PACKAGE = 0.95
 
 
 def _keys(entity: Provision, package: str) -> Iterator[Key]:
-    """Its keys in a package of another name: with that name in its own, or as it was."""
+    """Its keys in a package of another name: with that in its own; what code names may be called as it was."""
     owner, name = (in_package(text, entity.package, package) for text in (entity.owner, entity.name))
     yield entity.kind, package, owner, name, entity.facet
-    yield entity.kind, package, entity.owner, entity.name, entity.facet
+    if entity.row.in_language:
+        yield entity.kind, package, entity.owner, entity.name, entity.facet
 
 
 class WithPackage:
