@@ -130,14 +130,13 @@ class Pairing:
     def _by_file(self, kind: str) -> None:
         """What its file alone declared of a kind has moved with the file, however it is called now."""
         for found in list(alone_in_moved_files(kind, self.old.values(), self.new.values(), self.evidence.files)):
-            old, new = found.old, found.new
-            if old is not None and new is not None and not self._lives_on(old) and self._parts.may_be_one(old, new):
+            if found.old is not None and found.new is not None and self._is_taken(found.old, found.new):
                 self.take(found)
 
-    def _lives_on(self, symbol: Provision) -> bool:
-        """Whether the package has one of its name elsewhere: what is made out of its file is another one then."""
-        names = (last_part(key[3]) for key in self.all_new if key[:2] == symbol.key[:2])
-        return symbol.row.symbol and last_part(symbol.name) in names
+    def _is_taken(self, old: Provision, new: Provision) -> bool:
+        """Whether one may be the other, and its package has no other of its name: then a copy was made of it."""
+        names = (last_part(key[3]) for key in self.all_new if key[:2] == old.key[:2])
+        return self._parts.may_be_one(old, new) and not (old.row.symbol and last_part(old.name) in names)
 
     def _nodes(self) -> None:
         """Nodes under another name, or made by something else; a launch file that starts other ones is no change."""
@@ -175,11 +174,12 @@ class Pairing:
         """What a module offers is what it was when the module or its package has another name."""
         known = self._known()
         homes = likely_homes(self.all_old.values(), self.all_new.values(), known) | module_homes(self.pairs)
+        offered = {**self.shared, **self.all_new}
         for entity in list(self.old.values()):
             if entity.is_of_module:
                 package, owner = homes.get((entity.package, entity.owner), (known.package(entity), entity.owner))
                 keys = ((entity.kind, package, owner, name, entity.facet) for name in names_after(entity))
-                target = next((self.all_new[key] for key in keys if key in self.all_new), None)
+                target = next((offered[key] for key in keys if key in offered), None)
                 if target is not None and is_ported(entity, target):
                     self.take(Pair(entity, target))
 

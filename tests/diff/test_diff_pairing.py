@@ -319,3 +319,13 @@ def test_a_node_in_another_package_offers_what_it_offered() -> None:
         topics = [entity("topic", name, "joy", facet="published", **place) for name in names.split()]
         sides.append([entity("node", "joystick", "joy", **place), *topics])
     assert [pair.old.name for pair in paired(*sides) if pair.old is not None and pair.new is None] == ["/x"]
+
+
+def test_a_line_of_two_programs_is_still_that_of_each() -> None:
+    """Where both are called otherwise now, the one entity that stands for their line is the successor of both."""
+    names = ("/x", "/y")
+    old = [entity("topic", name, owner, facet="published") for name in names for owner in ("joy", "mission")]
+    new = [entity("topic", name, "pad", facet="published", sharers=("missions",)) for name in names]
+    new += [entity("topic", "/z", "missions", facet="published", path="missions.py")]
+    old += [entity("topic", "/z", "mission", facet="published", path="mission.py")]
+    assert not [pair.old.name for pair in paired(old, new) if pair.old is not None and pair.new is None]
