@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from ecm_checker.hub.provision import HOLE, Provision
 
 from ecm_extract.diff.model import Pair
-from ecm_extract.diff.similarity import name_similarity, same_language, shape_equal
+from ecm_extract.diff.similarity import last_part, name_similarity, same_language, shape_equal
+
+GENERATED = "*.yaml"
+"""Stands for all files of a package that parameters are generated from."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +74,17 @@ def _is_unmoved(old: Provision, new: Provision, places: Places) -> bool:
     if not _same_file(old, new, files):
         return False
     return places.same_module(old, new) or old.name.startswith(HOLE) or not old.is_value
+
+
+def values_by_place(entities: Iterable[Provision]) -> dict[tuple[str, str], list[Provision]]:
+    """Return parameters by owner, by the file that names them, and those of generated libraries."""
+    index: dict[tuple[str, str], list[Provision]] = defaultdict(list)
+    for entity in entities:
+        if entity.is_value:
+            generated = (f"{entity.package}/{GENERATED}",) if entity.path.endswith((".yaml", ".yml")) else ()
+            for place in (f"{entity.package}/{entity.owner}", entity.path, *generated):
+                index[place, last_part(entity.name)].append(entity)
+    return index
 
 
 def move_key(entity: Provision) -> tuple[str, str, str]:

@@ -22,7 +22,7 @@ from ecm_extract.diff.file_moves import alone_in_moved_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
-from ecm_extract.diff.moves import Places, best_home, is_reshaped, move_key
+from ecm_extract.diff.moves import GENERATED, Places, best_home, is_reshaped, move_key, values_by_place
 from ecm_extract.diff.nodes import Successions, node_pairs
 from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.same_line import same_lines
@@ -34,8 +34,6 @@ from ecm_extract.diff.sharing import by_sharers
 from ecm_extract.diff.similarity import last_part
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.with_package import WithPackage
-
-_GENERATED = "*.yaml"
 
 
 @dataclass(slots=True)
@@ -229,11 +227,11 @@ class Pairing:
 
         So is one that a library declares for whoever uses it, when only a user of the library is gone.
         """
-        index = self._parameter_index()
+        index = values_by_place(self.all_new.values())
         for entity in list(self.old.values()):
             if entity.is_value:
                 tail = last_part(entity.name)
-                places = [f"{entity.package}/{entity.owner}", f"{entity.package}/{_GENERATED}"]
+                places = [f"{entity.package}/{entity.owner}", f"{entity.package}/{GENERATED}"]
                 if len(entity.chain) > 1 or (entity.kind, entity.package, entity.owner) not in self._modules:
                     places.append(self.evidence.files.get(entity.path, entity.path))
                 alike = (other for place in places for other in index.get((place, tail), ()))
@@ -248,16 +246,6 @@ class Pairing:
             found = computed.home(entity)
             if found is not None:
                 self.take(Pair(entity, found))
-
-    def _parameter_index(self) -> dict[tuple[str, str], list[Provision]]:
-        """New parameters by owner, by the file that names them, and those of generated libraries."""
-        index: dict[tuple[str, str], list[Provision]] = defaultdict(list)
-        for entity in self.all_new.values():
-            if entity.is_value:
-                generated = (f"{entity.package}/{_GENERATED}",) if entity.path.endswith((".yaml", ".yml")) else ()
-                for place in (f"{entity.package}/{entity.owner}", entity.path, *generated):
-                    index[place, last_part(entity.name)].append(entity)
-        return index
 
     def _moved(self, wanted: set[str]) -> None:
         index: dict[tuple[str, str, str], list[Provision]] = defaultdict(list)
@@ -300,8 +288,12 @@ class Pairing:
             for entity in entities.values():
                 if entity.kind in wanted:
                     groups[self._neighbourhood(entity, old=side == 0)][side].append(entity)
+        for found in list(self._parts.twins(groups.values())):
+            self.take(found)
         for before, after in groups.values():
-            self._assign(before, after)
+            self._assign(
+                [each for each in before if each.key in self.old], [each for each in after if each.key in self.new]
+            )
 
     def _by_signature(self) -> None:
         """A method whose name alone changed is the one with its very signature."""
