@@ -12,7 +12,7 @@ from ecm_parsers.cmake_facts import Install, Target
 
 from ecm_extract.entities.build_conditions import build_conditions
 from ecm_extract.entities.deprecations import deprecated_names
-from ecm_extract.entities.install_rules import is_unread
+from ecm_extract.entities.install_rules import makes_package
 from ecm_extract.entities.public_files import public_headers
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
@@ -90,8 +90,8 @@ def _targets(facts: PackageFacts) -> Iterator[Provision]:
 
 
 def _handed_over(facts: PackageFacts) -> set[str]:
-    """What is given to commands of other packages, where rules that nothing shows may install it."""
-    return {word for file in facts.cmake.values() for word in file.foreign} if is_unread(facts) else set()
+    """What is given to commands of other packages where one of them is all that can make a package of it."""
+    return set() if makes_package(facts) else {word for file in facts.cmake.values() for word in file.foreign}
 
 
 def _installed_when(target: Target, facts: PackageFacts, installs: Sequence[Install]) -> tuple[str, ...]:

@@ -329,3 +329,12 @@ def test_a_line_of_two_programs_is_still_that_of_each() -> None:
     new += [entity("topic", "/z", "missions", facet="published", path="missions.py")]
     old += [entity("topic", "/z", "mission", facet="published", path="mission.py")]
     assert not [pair.old.name for pair in paired(old, new) if pair.old is not None and pair.new is None]
+
+
+@pytest.mark.parametrize(("after", "how"), [("vision.chevron.main", "same"), ("arm_core.trajectory.main", "moved")])
+def test_a_function_of_another_package_has_more_in_common_than_its_name(after: str, how: str) -> None:
+    """Each program has its `main`: one that went and one that came elsewhere are two."""
+    form = (Form(types=(), required=0),)
+    old = entity("function", "arm.trajectory.main", "", package="arm", path="arm/trajectory.py", forms=form)
+    new = entity("function", after, "", package="other", path="other/it.py", forms=form)
+    assert {pair.how for pair in paired([old], [new])} == {how}
