@@ -65,6 +65,7 @@ class Pairing:
         self.owners: dict[str, str] = {}
         self.packages: dict[str, str] = {}
         self.homes: dict[str, str] = {}
+        self.modules: dict[tuple[str, str], tuple[str, str]] = {}
         self.bases = Bases(new)
         self._parts = SharedParts(old.values(), new.values())
         self._packaged = WithPackage(old, new)
@@ -171,15 +172,21 @@ class Pairing:
     def _with_their_module(self) -> None:
         """What a module offers is what it was when the module or its package has another name."""
         known = self._known()
-        homes = likely_homes(self.all_old.values(), self.all_new.values(), known) | module_homes(self.pairs)
+        likely = likely_homes(self.all_old.values(), self.all_new.values(), known)
+        self.modules = likely | module_homes(self.pairs)
         offered = {**self.shared, **self.all_new}
         for entity in list(self.old.values()):
             if entity.is_of_module:
-                package, owner = homes.get((entity.package, entity.owner), (known.package(entity), entity.owner))
+                package, owner = self._module_of(entity)
                 keys = ((entity.kind, package, owner, name, entity.facet) for name in names_after(entity))
                 target = next((offered[key] for key in keys if key in offered), None)
                 if target is not None and is_ported(entity, target):
                     self.take(Pair(entity, target))
+
+    def _module_of(self, old: Provision) -> tuple[str, str]:
+        """Package and owner that a module has now."""
+        place = old.package, old.owner
+        return self.modules.get(place, (self.packages.get(old.package, old.package), old.owner))
 
     def _known(self) -> Successions:
         return Successions(self.packages, self.owners, self.evidence.files)
@@ -231,7 +238,7 @@ class Pairing:
         for entity in list(self.old.values()):
             if entity.is_value:
                 tail = last_part(entity.name)
-                places = [f"{entity.package}/{entity.owner}", f"{entity.package}/{GENERATED}"]
+                places = ["/".join(self._module_of(entity)), f"{entity.package}/{GENERATED}"]
                 if len(entity.chain) > 1 or (entity.kind, entity.package, entity.owner) not in self._modules:
                     places.append(self.evidence.files.get(entity.path, entity.path))
                 alike = (other for place in places for other in index.get((place, tail), ()))
@@ -243,7 +250,7 @@ class Pairing:
         """A name that the other side computes is still there."""
         computed = Computed(self.all_new.values())
         for entity in list(self.old.values()):
-            found = computed.home(entity)
+            found = computed.home(entity, *self._module_of(entity))
             if found is not None:
                 self.take(Pair(entity, found))
 

@@ -147,6 +147,8 @@ def test_a_parameter_of_a_library_outlives_one_of_its_users() -> None:
         ("/gyro/metadata", "/<*>/metadata", "same"),
         ("/clear_except_<*>", "/clear_except_costmap", "same"),
         ("/gyro/metadata", "/<*>/points", "gone"),
+        ("/<*>/<*>/metadata", "~/<*>/metadata", "same"),
+        ("/<*>/metadata", "/<*>/points", "gone"),
     ],
 )
 def test_a_name_that_the_other_side_computes_is_still_there(old: str, new: str, how: str) -> None:
