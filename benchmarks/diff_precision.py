@@ -14,6 +14,7 @@ import re
 import sys
 import tomllib
 from collections import defaultdict
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -102,7 +103,13 @@ def _is_told(entry: Judgement, clones: Path, saved: Path | None) -> bool:
     changes = changes_between(clones / f"{entry.project}.git", *entry.refs, saved)
     wanted = (entry.kind, entry.change, entry.old, entry.new)
     fitting = (each for each in changes if each.breaking and (each.kind, each.change, each.old, each.new) == wanted)
-    return any(entry.owner in _owners(each) for each in fitting)
+    return any(entry.owner in _owners(each) for each in fitting) or _is_told_by_whole(entry, changes)
+
+
+def _is_told_by_whole(entry: Judgement, changes: Sequence[Change]) -> bool:
+    """Whether what has it is told to have moved: a method or field that went with it has no line of its own."""
+    moved = (each.old or "" for each in changes if each.breaking and each.change == entry.change == "moved")
+    return bool(entry.owner) and any(old.rpartition(": ")[2] == entry.owner for old in moved)
 
 
 def _owners(each: Change) -> set[str]:

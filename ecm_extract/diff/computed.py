@@ -22,21 +22,31 @@ class Computed:
             if entity.is_endpoint:
                 self._index[entity.kind, entity.package, entity.facet].append(entity)
 
-    def home(self, old: Provision) -> Provision | None:
-        """Return the endpoint of the same module or file, and of the same type, that may have this very name."""
-        for entity in self._index.get((old.kind, old.package, old.facet), ()):
-            near = entity.owner == old.owner or entity.path == old.path
+    def home(self, old: Provision, package: str, owner: str) -> Provision | None:
+        """Return the endpoint of its module or file, and of the same type, that may have this very name.
+
+        `package` and `owner` are those that its module has now.
+        """
+        for entity in self._index.get((old.kind, package, old.facet), ()):
+            near = entity.owner == owner or entity.path == old.path
             if near and entity.type == old.type and may_be_one(old.name, entity.name):
                 return entity
         return None
 
 
 def may_be_one(one: str, other: str) -> bool:
-    """Whether exactly one of two names has computed parts, and they can stand for what the other has there."""
-    if (HOLE in one) == (HOLE in other):
+    """Whether the computed parts of two names can stand for what the other has there; two with such show the same."""
+    if HOLE in one and HOLE in other:
+        return len(_known(one)) >= _LEAST_KNOWN and _known(one) == _known(other)
+    if HOLE not in one and HOLE not in other:
         return False
     pattern, name = (one, other) if HOLE in one else (other, one)
-    if len(re.findall(r"\w", pattern.replace(HOLE, ""))) < _LEAST_KNOWN:
+    if len(_known(pattern)) < _LEAST_KNOWN:
         return False
     fixed = [re.escape(part) for part in pattern.lstrip("~/").split(HOLE)]
     return re.fullmatch(with_gaps(fixed, ".+"), name.lstrip("~/")) is not None
+
+
+def _known(pattern: str) -> list[str]:
+    """The letters that a pattern shows."""
+    return re.findall(r"\w", pattern.replace(HOLE, ""))

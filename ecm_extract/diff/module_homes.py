@@ -32,7 +32,8 @@ def module_homes(pairs: Iterable[Pair]) -> dict[Module, Module]:
 def likely_homes(old: Iterable[Provision], new: Iterable[Provision], known: Successions) -> dict[Module, Module]:
     """Return, of each module that is gone, the new one of its package that offers most of what it offered.
 
-    One that stood beside it before is another module, unless the files that declare the names are the same.
+    One that stood beside it before is another module, unless the files that declare the names are the same. One of its
+    own name that came in another package is it, too.
     """
     before, after = _offers(old, known.files), _offers(new, {})
     found = {}
@@ -43,7 +44,7 @@ def likely_homes(old: Iterable[Provision], new: Iterable[Provision], known: Succ
         rated = [
             (len(_shared(names, others, beside=other in before)), other)
             for other, others in after.items()
-            if other[0] == package
+            if other[0] == package or (other[1] == module[1] and other not in before)
         ]
         count, home = max(rated, default=(0, module))
         if count >= _LEAST_SHARED and count >= len(names) * _MOST:

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from ecm_checker.hub.provision import HOLE, Provision
 
 from ecm_extract.diff.model import Pair
-from ecm_extract.diff.similarity import name_similarity, same_language, shape_equal
+from ecm_extract.diff.similarity import last_part, name_similarity, same_language, shape_equal, words
+
+GENERATED = "*.yaml"
+"""Stands for all files of a package that parameters are generated from."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +76,17 @@ def _is_unmoved(old: Provision, new: Provision, places: Places) -> bool:
     return places.same_module(old, new) or old.name.startswith(HOLE) or not old.is_value
 
 
+def values_by_place(entities: Iterable[Provision]) -> dict[tuple[str, str], list[Provision]]:
+    """Return parameters by owner, by the file that names them, and those of generated libraries."""
+    index: dict[tuple[str, str], list[Provision]] = defaultdict(list)
+    for entity in entities:
+        if entity.is_value:
+            generated = (f"{entity.package}/{GENERATED}",) if entity.path.endswith((".yaml", ".yml")) else ()
+            for place in (f"{entity.package}/{entity.owner}", entity.path, *generated):
+                index[place, last_part(entity.name)].append(entity)
+    return index
+
+
 def move_key(entity: Provision) -> tuple[str, str, str]:
     """What two entities have in common of which one may be the other in another place."""
     name, place = entity.name, entity.row.place
@@ -115,8 +130,15 @@ def _is_likely(old: Provision, new: Provision, places: Places) -> bool:
     if old.row.fixed:
         return old.default == new.default and old.type == new.type and old.package == new.package
     if old.row.symbol and not old.row.part:
-        return shape_equal(old, new) > 0 and name_similarity(old.name, new.name) > 0.5 and _same_nest(old, new)
+        near = not old.row.called or places.same_package(old, new) or _same_surroundings(old, new)
+        return near and shape_equal(old, new) > 0 and name_similarity(old.name, new.name) > 0.5 and _same_nest(old, new)
     return True
+
+
+def _same_surroundings(old: Provision, new: Provision) -> bool:
+    """Whether the modules or namespaces of two functions share a word: many packages have a `main` and a `load`."""
+    first, second = (words(entity.name.removesuffix(last_part(entity.name))) for entity in (old, new))
+    return bool(first & second) or not (first or second)
 
 
 def _same_nest(old: Provision, new: Provision) -> bool:

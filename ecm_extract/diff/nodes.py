@@ -41,6 +41,7 @@ def node_pairs(old: Iterable[Provision], new: Iterable[Provision], known: Succes
     before, after = _nodes(old), _nodes(new)
     for place, reason, confidence in (
         (_same_name(known), "", 1.0),
+        (_same_name_and_maker, "", 1.0),
         (_same_maker(known), "the same {owner} gives itself another name", _SURE),
         (_same_file(known), "the only node that its file names", _ALONE),
     ):
@@ -84,6 +85,11 @@ def _same_name(known: Successions) -> Place:
         return known.package(entity) if is_old else entity.package, entity.name
 
     return place
+
+
+def _same_name_and_maker(entity: Provision, _is_old: bool) -> Hashable:
+    """Whatever package the program lies in."""
+    return None if entity.name == HOLE or entity.facet == LAUNCHED else (entity.name, entity.owner)
 
 
 def _same_maker(known: Successions) -> Place:

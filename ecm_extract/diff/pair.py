@@ -22,7 +22,7 @@ from ecm_extract.diff.file_moves import alone_in_moved_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
-from ecm_extract.diff.moves import Places, best_home, is_reshaped, move_key
+from ecm_extract.diff.moves import GENERATED, Places, best_home, is_reshaped, move_key, values_by_place
 from ecm_extract.diff.nodes import Successions, node_pairs
 from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.same_line import same_lines
@@ -31,11 +31,9 @@ from ecm_extract.diff.scores import score
 from ecm_extract.diff.settings import SettingFiles
 from ecm_extract.diff.shared_parts import SharedParts
 from ecm_extract.diff.sharing import by_sharers
-from ecm_extract.diff.similarity import in_package, last_part, same_language
+from ecm_extract.diff.similarity import last_part
 from ecm_extract.diff.successors import stated_successor
-
-_GENERATED = "*.yaml"
-_WITH_PACKAGE = 0.95
+from ecm_extract.diff.with_package import WithPackage
 
 
 @dataclass(slots=True)
@@ -67,8 +65,10 @@ class Pairing:
         self.owners: dict[str, str] = {}
         self.packages: dict[str, str] = {}
         self.homes: dict[str, str] = {}
+        self.modules: dict[tuple[str, str], tuple[str, str]] = {}
         self.bases = Bases(new)
         self._parts = SharedParts(old.values(), new.values())
+        self._packaged = WithPackage(old, new)
         self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in module_kinds()}
         self._owners = frozenset((key[1], key[2] or key[3]) for key in new)
 
@@ -129,8 +129,13 @@ class Pairing:
     def _by_file(self, kind: str) -> None:
         """What its file alone declared of a kind has moved with the file, however it is called now."""
         for found in list(alone_in_moved_files(kind, self.old.values(), self.new.values(), self.evidence.files)):
-            if found.old is not None and found.new is not None and self._parts.may_be_one(found.old, found.new):
+            if found.old is not None and found.new is not None and self._is_taken(found.old, found.new):
                 self.take(found)
+
+    def _is_taken(self, old: Provision, new: Provision) -> bool:
+        """Whether one may be the other, and its package has no other of its name: then a copy was made of it."""
+        names = (last_part(key[3]) for key in self.all_new if key[:2] == old.key[:2])
+        return self._parts.may_be_one(old, new) and not (old.row.symbol and last_part(old.name) in names)
 
     def _nodes(self) -> None:
         """Nodes under another name, or made by something else; a launch file that starts other ones is no change."""
@@ -153,15 +158,9 @@ class Pairing:
 
     def _with_their_package(self, kind: str) -> None:
         """What a package offers goes with it under its new name."""
-        for entity in list(self.old.values()) if kinds()[kind].released else ():
-            package = self.packages.get(entity.package)
-            if package is None or entity.is_of_module:
-                continue
-            owner, name = (in_package(text, entity.package, package) for text in (entity.owner, entity.name))
-            target = self.new.get((entity.kind, package, owner, name, entity.facet))
-            if target is not None and same_language(entity, target):
-                how: How = "moved" if name == entity.name or entity.row.qualified else "renamed"
-                self.take(Pair(entity, target, how, _WITH_PACKAGE, f"its package is {package} now"))
+        if kinds()[kind].released:
+            for found in list(self._packaged.pairs(self.old, self.new, self.packages)):
+                self.take(found)
 
     def _by_sharers(self) -> None:
         """What a module has now by a line of another one is still its own."""
@@ -173,14 +172,21 @@ class Pairing:
     def _with_their_module(self) -> None:
         """What a module offers is what it was when the module or its package has another name."""
         known = self._known()
-        homes = likely_homes(self.all_old.values(), self.all_new.values(), known) | module_homes(self.pairs)
+        likely = likely_homes(self.all_old.values(), self.all_new.values(), known)
+        self.modules = likely | module_homes(self.pairs)
+        offered = {**self.shared, **self.all_new}
         for entity in list(self.old.values()):
             if entity.is_of_module:
-                package, owner = homes.get((entity.package, entity.owner), (known.package(entity), entity.owner))
+                package, owner = self._module_of(entity)
                 keys = ((entity.kind, package, owner, name, entity.facet) for name in names_after(entity))
-                target = next((self.all_new[key] for key in keys if key in self.all_new), None)
+                target = next((offered[key] for key in keys if key in offered), None)
                 if target is not None and is_ported(entity, target):
                     self.take(Pair(entity, target))
+
+    def _module_of(self, old: Provision) -> tuple[str, str]:
+        """Package and owner that a module has now."""
+        place = old.package, old.owner
+        return self.modules.get(place, (self.packages.get(old.package, old.package), old.owner))
 
     def _known(self) -> Successions:
         return Successions(self.packages, self.owners, self.evidence.files)
@@ -228,11 +234,11 @@ class Pairing:
 
         So is one that a library declares for whoever uses it, when only a user of the library is gone.
         """
-        index = self._parameter_index()
+        index = values_by_place(self.all_new.values())
         for entity in list(self.old.values()):
             if entity.is_value:
                 tail = last_part(entity.name)
-                places = [f"{entity.package}/{entity.owner}", f"{entity.package}/{_GENERATED}"]
+                places = ["/".join(self._module_of(entity)), f"{entity.package}/{GENERATED}"]
                 if len(entity.chain) > 1 or (entity.kind, entity.package, entity.owner) not in self._modules:
                     places.append(self.evidence.files.get(entity.path, entity.path))
                 alike = (other for place in places for other in index.get((place, tail), ()))
@@ -244,19 +250,9 @@ class Pairing:
         """A name that the other side computes is still there."""
         computed = Computed(self.all_new.values())
         for entity in list(self.old.values()):
-            found = computed.home(entity)
+            found = computed.home(entity, *self._module_of(entity))
             if found is not None:
                 self.take(Pair(entity, found))
-
-    def _parameter_index(self) -> dict[tuple[str, str], list[Provision]]:
-        """New parameters by owner, by the file that names them, and those of generated libraries."""
-        index: dict[tuple[str, str], list[Provision]] = defaultdict(list)
-        for entity in self.all_new.values():
-            if entity.is_value:
-                generated = (f"{entity.package}/{_GENERATED}",) if entity.path.endswith((".yaml", ".yml")) else ()
-                for place in (f"{entity.package}/{entity.owner}", entity.path, *generated):
-                    index[place, last_part(entity.name)].append(entity)
-        return index
 
     def _moved(self, wanted: set[str]) -> None:
         index: dict[tuple[str, str, str], list[Provision]] = defaultdict(list)
@@ -299,8 +295,12 @@ class Pairing:
             for entity in entities.values():
                 if entity.kind in wanted:
                     groups[self._neighbourhood(entity, old=side == 0)][side].append(entity)
+        for found in list(self._parts.twins(groups.values())):
+            self.take(found)
         for before, after in groups.values():
-            self._assign(before, after)
+            self._assign(
+                [each for each in before if each.key in self.old], [each for each in after if each.key in self.new]
+            )
 
     def _by_signature(self) -> None:
         """A method whose name alone changed is the one with its very signature."""
@@ -329,7 +329,7 @@ class Pairing:
             for column, new in enumerate(after):
                 if not self._parts.may_be_one(old, new):
                     continue
-                known = not old.is_value or (old.owner, new.owner) in kin
+                known = _may_be_of(old, new) or (old.owner, new.owner) in kin
                 found = score(old, new, self.evidence.files, self.evidence.history, known)
                 if found is not None:
                     scores[row, column], reasons[row, column] = found
@@ -337,6 +337,11 @@ class Pairing:
             confidence = round(min(0.99, scores[row, column]), 2)
             how: How = "moved" if before[row].name == after[column].name else "renamed"
             self.take(Pair(before[row], after[column], how, confidence, reasons[row, column]))
+
+
+def _may_be_of(old: Provision, new: Provision) -> bool:
+    """Whether it may be of another module than it was: a channel that is called so in its place."""
+    return not old.is_of_module or (old.is_endpoint and last_part(old.name) == last_part(new.name))
 
 
 def _may_be(old: Provision, new: Provision) -> bool:

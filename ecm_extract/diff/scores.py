@@ -93,7 +93,7 @@ def _shared_words(old: Provision, new: Provision) -> frozenset[str]:
     if old.row.included:
         return (words(last_part(stem(old))) & words(last_part(stem(new)))) - _GENERIC
     if not old.row.based:
-        return (words(old.name) & words(new.name)) - _GENERIC
+        return (words(stem(old)) & words(stem(new))) - _GENERIC
     base = words(" ".join((*old.bases, old.type or "")))
     return (words(last_part(old.name)) & words(last_part(new.name))) - _GENERIC - base
 

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
 from ecm_checker.hub.provision import Provision
 
+from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import last_part, name_similarity, words
 
 _HEADER: Final = "std_msgs/Header"
 """What half of all messages hold tells of none of them."""
 _ALIKE: Final = 0.6
+_SAME_CONTENT: Final = 0.9
+_LEAST_HELD: Final = 2
 Parts = dict[str, list[Provision]]
+Content = frozenset[tuple[str, str, str | None, str]]
+"""Kind, name, type and value of each part."""
 
 
 class SharedParts:
@@ -21,6 +26,15 @@ class SharedParts:
 
     def __init__(self, old: Iterable[Provision], new: Iterable[Provision]) -> None:
         self._old, self._new = _parts(old), _parts(new)
+
+    def twins(self, groups: Iterable[tuple[Sequence[Provision], Sequence[Provision]]]) -> Iterator[Pair]:
+        """Yield the messages that alone hold what another one held, among those that are gone and came together."""
+        for before, after in groups:
+            held, holds = _by_content(before, self._old), _by_content(after, self._new)
+            for content in (each for each in held if each in holds):
+                (old, *rest), (new, *others) = held[content], holds[content]
+                if not rest and not others and words(last_part(old.name)) & words(last_part(new.name)):
+                    yield Pair(old, new, "renamed", _SAME_CONTENT, "gone and new; it holds the very same")
 
     def may_be_one(self, old: Provision, new: Provision) -> bool:
         """Whether one entity can be the other under another name; one that is empty tells nothing against it.
@@ -41,6 +55,16 @@ def _parts(entities: Iterable[Provision]) -> Parts:
     for entity in entities:
         if entity.row.part and entity.row.wire and "/" in entity.owner and entity.type != _HEADER:
             found[entity.owner].append(entity)
+    return found
+
+
+def _by_content(entities: Iterable[Provision], parts: Parts) -> dict[Content, list[Provision]]:
+    """Messages by all that they hold; those with next to nothing may be anything."""
+    found: dict[Content, list[Provision]] = defaultdict(list)
+    for entity in entities:
+        held = [(each.kind, each.name, each.type, repr(each.default)) for each in parts.get(entity.name, ())]
+        if entity.row.generated and len(held) >= _LEAST_HELD:
+            found[frozenset(held)].append(entity)
     return found
 
 

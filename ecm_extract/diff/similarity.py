@@ -10,6 +10,7 @@ from ecm_checker.hub.provision import Provision
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 SEPARATOR = re.compile(r"::|[/.]")
 _ENDING = re.compile(r"(?<=.)\.(?:h|hh|hpp|hxx|ipp|tpp)$")
+_FILE_ENDING = re.compile(r"(?<=\w)(?:\.[a-z]+)+$")
 _LAST_EQUAL = 0.6
 _PARTS = frozenset({"request.", "response.", "goal.", "result.", "feedback."})
 """Of an interface file: what stands before a field there is no place that people name."""
@@ -26,8 +27,10 @@ def last_part(name: str) -> str:
 
 
 def stem(entity: Provision) -> str:
-    """What tells in the name of an entity: of a header all but its ending."""
-    return _ENDING.sub("", entity.name) if entity.row.included and "/" in entity.name else entity.name
+    """What tells in the name of an entity: of a file all but its ending."""
+    if entity.row.included:
+        return _ENDING.sub("", entity.name) if "/" in entity.name else entity.name
+    return _FILE_ENDING.sub("", entity.name) if entity.row.started or entity.row.is_file else entity.name
 
 
 def name_similarity(old: str, new: str) -> float:

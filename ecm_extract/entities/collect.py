@@ -74,11 +74,12 @@ def _plain(entity: Provision) -> Provision:
 def _joined(first: Provision, other: Provision) -> Provision:
     """The first of two with one key; overloads that stand in several headers are all its forms.
 
-    An endpoint that has one type or another has both; what is there in two ways needs the conditions of neither.
+    A channel or parameter that has one type or another has both; what is there in two ways needs the conditions of
+    neither.
     """
     if first.when != other.when:
         first = msgspec.structs.replace(first, when=())
-    if first.is_endpoint and other.type is not None and other.type != first.type:
+    if first.is_of_module and other.type is not None and other.type not in {first.type, *first.others}:
         return msgspec.structs.replace(first, others=(*first.others, other.type))
     if not first.forms or not other.forms or first.path == other.path:
         return first

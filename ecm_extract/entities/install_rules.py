@@ -98,9 +98,14 @@ def is_open(package: PackageFacts) -> bool:
 def is_unread(package: PackageFacts) -> bool:
     """Tell whether a package may have rules that nothing shows, or nothing makes a package of the folder."""
     names = {command.name for file in package.cmake.values() for command in file.commands}
-    if not names & _MAKES_PACKAGE or "ament_auto_package" in names:
+    if not makes_package(package) or "ament_auto_package" in names:
         return True
     return any(file.unknown for file in package.cmake.values())
+
+
+def makes_package(package: PackageFacts) -> bool:
+    """Tell whether a command of the build tools of ROS makes a package of the folder."""
+    return any(command.name in _MAKES_PACKAGE for file in package.cmake.values() for command in file.commands)
 
 
 def may_install_target(name: str, package: PackageFacts) -> bool:

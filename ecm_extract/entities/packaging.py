@@ -12,6 +12,7 @@ from ecm_parsers.cmake_facts import Install, Target
 
 from ecm_extract.entities.build_conditions import build_conditions
 from ecm_extract.entities.deprecations import deprecated_names
+from ecm_extract.entities.install_rules import makes_package
 from ecm_extract.entities.public_files import public_headers
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
@@ -52,6 +53,7 @@ def _package(facts: PackageFacts) -> Iterator[Provision]:
 def _targets(facts: PackageFacts) -> Iterator[Provision]:
     installs = [entry for file in facts.cmake.values() for entry in file.installs if entry.kind == "targets"]
     installed = {item for entry in installs for item in entry.items if not _PYTHON.search(entry.destination)}
+    installed |= _handed_over(facts)
     for path, file in facts.cmake.items():
         for target in file.targets:
             if target.kind not in {"executable", "library"} or target.is_test or "$" in (target.output or target.name):
@@ -85,6 +87,11 @@ def _targets(facts: PackageFacts) -> Iterator[Provision]:
                 path=path,
                 line=component.line,
             )
+
+
+def _handed_over(facts: PackageFacts) -> set[str]:
+    """What is given to commands of other packages where one of them is all that can make a package of it."""
+    return set() if makes_package(facts) else {word for file in facts.cmake.values() for word in file.foreign}
 
 
 def _installed_when(target: Target, facts: PackageFacts, installs: Sequence[Install]) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.source_suffixes import is_included
 
 _NO_PACKAGES = frozenset({"src", "test", "tests", "example", "examples"})
+_HEADERS = "INCLUDE_DIRS"
 HIDDEN = frozenset({"detail", "details", "internal", "impl", "_internal", "private", "anonymous"})
 
 
@@ -38,10 +39,14 @@ def public_headers(facts: PackageFacts) -> dict[str, str]:
 
 
 def _keeps_headers(facts: PackageFacts) -> bool:
-    """Whether a package installs things, but no headers; one without any such line is used where it lies."""
+    """Whether a package installs things, but no headers; one without any such line is used where it lies.
+
+    There catkin finds the folders that it is told of, and no other.
+    """
     installs = [entry for file in facts.cmake.values() for entry in file.installs]
     if not installs:
-        return False
+        told = [each for file in facts.cmake.values() for each in file.commands if each.name == "catkin_package"]
+        return bool(told) and not any(_HEADERS in each.args for each in told)
     folders = [entry for entry in installs if entry.kind in {"directory", "files"}]
     texts = [text for entry in folders for text in (*entry.items, entry.destination)]
     return not any("include" in text.lower() or "$" in text for text in texts)

@@ -179,3 +179,15 @@ def test_a_header_that_is_gone_explains_its_classes(changes) -> None:  # type: i
         ("file", None),
         ("class", "file arm/arm.hpp of arm"),
     }
+
+
+@pytest.mark.parametrize(("before", "breaks"), [("double", False), ("std::string", True)])
+def test_a_parameter_that_is_read_as_two_types_has_both(told, before: str, breaks: bool) -> None:  # type: ignore[no-untyped-def]
+    """Who sets it as the old type is still understood."""
+    one = 'int main(int c, char ** v) { ros::init(c, v, "arm"); ros::NodeHandle nh("~"); %s }\n'
+    read = {each: f'{each} {each[0]}; nh.param<{each}>("rate", {each[0]}, {{}});' for each in ("int", "double")}
+    read["std::string"] = 'std::string s; nh.param<std::string>("rate", s, "");'
+    source = "#include <ros/ros.h>\n" + one
+    old = {"arm/package.xml": ROS1, "arm/CMakeLists.txt": CMAKE, "arm/src/arm.cpp": source % read[before]}
+    found = told(old, {"arm/src/arm.cpp": source % f"{read['int']} {read['double']}"})
+    assert bool({each for each in found if each[:2] == ("parameter", "type_changed")}) is breaks

@@ -147,6 +147,8 @@ def test_a_parameter_of_a_library_outlives_one_of_its_users() -> None:
         ("/gyro/metadata", "/<*>/metadata", "same"),
         ("/clear_except_<*>", "/clear_except_costmap", "same"),
         ("/gyro/metadata", "/<*>/points", "gone"),
+        ("/<*>/<*>/metadata", "~/<*>/metadata", "same"),
+        ("/<*>/metadata", "/<*>/points", "gone"),
     ],
 )
 def test_a_name_that_the_other_side_computes_is_still_there(old: str, new: str, how: str) -> None:
@@ -245,3 +247,96 @@ def test_a_manifest_that_names_its_package_anew_renames_it(place: str, how: str)
     pairs = paired([before, old], [after, new])
     assert next(pair.how for pair in pairs if (pair.old or pair.new or old).kind == "package") == how
     assert ("serdp", "proc", "renamed") in shown(pairs) or how == "same"
+
+
+def test_a_topic_of_another_module_is_it_by_its_last_name_only() -> None:
+    """Two nodes of a package that have a service of one type each, and share a word, are two nodes."""
+    of_one = {"type": "std_srvs/srv/Trigger", "facet": "served"}
+    old = [entity("service", "/actuators/dropper/drop", "dropper", path="dropper.py", **of_one)]
+    new = [entity("service", "/actuators/gripper/open", "gripper", path="gripper.py", **of_one)]
+    assert {pair.how for pair in paired(old, new)} == {"same"}
+    assert len(paired(old, new)) == 2
+
+
+@pytest.mark.parametrize(
+    ("kind", "old", "new", "how"),
+    [
+        ("executable", "pose_estimator.py", "bbox_node.py", "same"),
+        ("executable", "pose_estimator.py", "pose_estimator_node.py", "renamed"),
+        ("launch_file", "planner.launch.py", "camera.launch.py", "same"),
+        ("launch_file", "mission.launch", "missions.launch", "renamed"),
+    ],
+)
+def test_the_ending_of_a_file_makes_no_names_alike(kind: str, old: str, new: str, how: str) -> None:
+    """Half of all programs and all launch files of a package end alike."""
+    pairs = paired([entity(kind, old, "", path="CMakeLists.txt")], [entity(kind, new, "", path="CMakeLists.txt")])
+    assert {pair.how for pair in pairs} == {how}
+
+
+@pytest.mark.parametrize(("path", "how"), [("arm/a.py", "same"), ("arm/b.py", "moved")])
+def test_what_is_taken_in_by_the_same_words_does_not_move_with_its_package(path: str, how: str) -> None:
+    """Whoever imports or includes it writes what was written before; the name of the package is told by itself."""
+    old, new = ([entity("package", name, "", package=name, path="package.xml")] for name in ("arm", "arm_core"))
+    for side, package, place in ((old, "arm", "arm/a.py"), (new, "arm_core", path)):
+        side += [
+            entity("file", place.replace("/", ".").removesuffix(".py"), "", package=package, path=place),
+            entity("class", "arm.a.Arm", "", package=package, path=place),
+            entity("method", "move", "arm.a.Arm", package=package, path=place),
+        ]
+    found = {(pair.old.kind, pair.how) for pair in paired(old, new) if pair.old is not None and pair.new is not None}
+    assert {("package", "renamed"), ("class", how), ("method", "same")} <= found
+
+
+def test_parts_of_a_message_are_told_by_it() -> None:
+    """A message whose package has another name is one change, however many fields it has."""
+    sides: list[list[Provision]] = []
+    for name in ("arm", "arm_core"):
+        message = f"{name}/msg/State"
+        sides.append(
+            [
+                entity("package", name, "", package=name, path="package.xml"),
+                entity("message", message, "", package=name, path="msg/State.msg"),
+                entity("message_field", "speed", message, package=name, path="msg/State.msg"),
+            ]
+        )
+    assert ("speed", "speed", "same") in shown(paired(*sides))
+
+
+@pytest.mark.parametrize(("stays", "how"), [(True, "same"), (False, "renamed")])
+def test_a_copy_that_is_taken_away_renames_no_class(stays: bool, how: str) -> None:
+    """A file that git sees go to another package took its class with it, unless the package still has that class."""
+    old = entity("class", "sweep.sweep_tmp.Sweep", "", package="sweep", path="sweep/tmp.py")
+    kept = entity("class", "sweep.sweep.Sweep", "", package="sweep", path="sweep/sweep.py")
+    new = entity("class", "search.search.Search", "", package="search", path="search/search.py")
+    rest = [kept] if stays else []
+    pairs = paired([old, *rest], [new, *rest], {"sweep/tmp.py": "search/search.py"})
+    assert next(pair.how for pair in pairs if pair.old == old) == how
+
+
+def test_a_node_in_another_package_offers_what_it_offered() -> None:
+    """Names in the graph know of no package: a program of that name which has most of them is it."""
+    sides = []
+    for package, names in (("controls", "/x /y /z /turn"), ("planner", "/y /z /turn")):
+        place = {"package": package, "path": f"{package}/joy.py"}
+        topics = [entity("topic", name, "joy", facet="published", **place) for name in names.split()]
+        sides.append([entity("node", "joystick", "joy", **place), *topics])
+    assert [pair.old.name for pair in paired(*sides) if pair.old is not None and pair.new is None] == ["/x"]
+
+
+def test_a_line_of_two_programs_is_still_that_of_each() -> None:
+    """Where both are called otherwise now, the one entity that stands for their line is the successor of both."""
+    names = ("/x", "/y")
+    old = [entity("topic", name, owner, facet="published") for name in names for owner in ("joy", "mission")]
+    new = [entity("topic", name, "pad", facet="published", sharers=("missions",)) for name in names]
+    new += [entity("topic", "/z", "missions", facet="published", path="missions.py")]
+    old += [entity("topic", "/z", "mission", facet="published", path="mission.py")]
+    assert not [pair.old.name for pair in paired(old, new) if pair.old is not None and pair.new is None]
+
+
+@pytest.mark.parametrize(("after", "how"), [("vision.chevron.main", "same"), ("arm_core.trajectory.main", "moved")])
+def test_a_function_of_another_package_has_more_in_common_than_its_name(after: str, how: str) -> None:
+    """Each program has its `main`: one that went and one that came elsewhere are two."""
+    form = (Form(types=(), required=0),)
+    old = entity("function", "arm.trajectory.main", "", package="arm", path="arm/trajectory.py", forms=form)
+    new = entity("function", after, "", package="other", path="other/it.py", forms=form)
+    assert {pair.how for pair in paired([old], [new])} == {how}

@@ -41,3 +41,27 @@ def test_modules_that_a_console_script_starts(told, entry: str, init: str, is_pu
     old = {"arm/setup.py": SETUP.replace("{entry}", entry), "arm/arm/__init__.py": init, "arm/arm/driver.py": DRIVER}
     found = told(old, {"arm/arm/driver.py": DRIVER.replace("move", "stop_all")})
     assert any(entry[0] == "method" for entry in found) is is_public
+
+
+@pytest.mark.parametrize(
+    ("told_of", "is_public"),
+    [("catkin_package(INCLUDE_DIRS include)\n", True), ("catkin_package(CATKIN_DEPENDS roscpp)\n", False), ("", True)],
+)
+def test_headers_that_catkin_is_not_told_of(told, told_of: str, is_public: bool) -> None:  # type: ignore[no-untyped-def]
+    """A package that installs nothing is found where it lies, with the folders that it states."""
+    make = f"project(arm)\n{told_of}add_library(armlib src/arm.cpp)\n"
+    source = SOURCE.replace("int main() {}\n", "")
+    old = {"arm/CMakeLists.txt": make, "arm/include/arm/arm.hpp": HEADER, "arm/src/arm.cpp": source}
+    new = {"arm/include/arm/arm.hpp": HEADER.replace("move", "go"), "arm/src/arm.cpp": source.replace("move", "go")}
+    assert any(entry[0] == "method" for entry in told(old, new)) is is_public
+
+
+@pytest.mark.parametrize("given", [True, False])
+def test_a_library_that_a_command_of_another_package_is_given(told, given: bool) -> None:  # type: ignore[no-untyped-def]
+    """In a package of plain CMake it may be what installs the library."""
+    installs = "install(TARGETS arm DESTINATION lib)\n"
+    make = "find_package(tools)\nproject(arm)\nadd_library(arm src/arm.cpp)\n"
+    handed = "configure_package(NAMESPACE arm TARGETS arm)\n" if given else ""
+    old = {"arm/CMakeLists.txt": make + installs, "arm/src/arm.cpp": "int arm() { return 1; }\n"}
+    gone = ("library", "removed", "arm", None) in told(old, {"arm/CMakeLists.txt": make + handed})
+    assert gone is not given

@@ -36,3 +36,14 @@ def test_a_message_whose_name_lost_a_word_may_have_other_fields(told, after: str
     old = {"arm/msg/ArmGripSet.msg": "float64 width\nint32 code\n"}
     found = told(old, {"arm/msg/ArmGripSet.msg": None, f"arm/msg/{after}.msg": "int32[] goods\n"})
     assert (("message", "renamed", "arm/msg/ArmGripSet", f"arm/msg/{after}") in found) is one
+
+
+def test_a_message_that_holds_the_very_same_is_the_old_one(told) -> None:  # type: ignore[no-untyped-def]
+    """However much more another new name is like the old one."""
+    pin = "uint32 identifier\nint32 mode\n"
+    new = {"arm/msg/Wrist_GpioConfig.msg": pin, "arm/msg/GpioPinConfig.msg": "uint32 pin_id\nbool output_mode\n"}
+    found = told({"arm/msg/GpioConfig.msg": pin}, {"arm/msg/GpioConfig.msg": None, **new})
+    assert {each for each in found if each[0] == "message"} == {
+        ("message", "renamed", "arm/msg/GpioConfig", "arm/msg/Wrist_GpioConfig"),
+        ("message", "added", None, "arm/msg/GpioPinConfig"),
+    }

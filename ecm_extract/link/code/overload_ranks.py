@@ -6,9 +6,9 @@ Source: [over.match.best] and [over.ics.rank] of the C++ standard: a text in quo
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Final
+from typing import Final, NamedTuple
 
 from ecm_parsers.source.expr import Constant, Expr, Name, Number, Text
 from ecm_parsers.source.facts import Parameter
@@ -32,21 +32,35 @@ def not_outranked(call: Invocation, funcs: Sequence[Func]) -> Sequence[Func]:
     """Return the functions that none of the same class or namespace is better than for a call of C++."""
     if len(funcs) < 2 or call.func.file.language != "cpp" or not call.args:
         return funcs
-    return [func for func in funcs if not any(_is_better(other, func, call) for other in funcs)]
+    given = [_type_given(arg, call.func) for arg in call.args]
+    taken = {func: [_Taken.of(*pair, func) for pair in zip(given, func.params, strict=False)] for func in funcs}
+    rivals = [func for func in funcs if any(each.rank is not None for each in taken[func])]
+    outranked = {func for func in rivals if any(_is_better(other, func, taken) for other in rivals)}
+    return [func for func in funcs if func not in outranked]
 
 
-def _is_better(one: Func, other: Func, call: Invocation) -> bool:
+class _Taken(NamedTuple):
+    """How a function takes one argument: by which type, how well, and whether as a template of any type."""
+
+    type: str
+    rank: int | None
+    any_type: bool
+
+    @classmethod
+    def of(cls, given: str, parameter: Parameter, func: Func) -> _Taken:
+        return cls(parameter.type, _rank(given, parameter, func), _is_of_template(parameter, func))
+
+
+def _is_better(one: Func, other: Func, taken: Mapping[Func, Sequence[_Taken]]) -> bool:
     if one is other or one.cls is not other.cls or one.fact.scope != other.fact.scope:
         return False
     better = False
-    for arg, left, right in zip(call.args, one.params, other.params, strict=False):
-        if left.type == right.type and not _is_of_template(left, one) and not _is_of_template(right, other):
+    for left, right in zip(taken[one], taken[other], strict=False):
+        if left.type == right.type and not left.any_type and not right.any_type:
             continue
-        written = _type_given(arg, call.func)
-        first, second = _rank(written, left, one), _rank(written, right, other)
-        if first is None or second is None or first < second:
+        if left.rank is None or right.rank is None or left.rank < right.rank:
             return False
-        better = better or first > second or (_is_of_template(right, other) and not _is_of_template(left, one))
+        better = better or left.rank > right.rank or (right.any_type and not left.any_type)
     return better
 
 
