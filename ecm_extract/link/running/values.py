@@ -20,6 +20,9 @@ PARENT_NAMESPACE = "parent namespace"
 _RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "one_of": 3, "pattern": 4}
 
 
+_NO_BRACES = str.maketrans("", "", "{}")
+
+
 class Hole(NamedTuple):
     """An unknown part of a value; `default` is what it is when nobody says otherwise.
 
@@ -37,8 +40,12 @@ class Hole(NamedTuple):
 
     @property
     def shown(self) -> str:
-        """What people call it: what a partial keeps has a name of its own, `make*0`, which stands in no source."""
-        return (self.part or self.label).strip("*").partition("*")[0] or "value"
+        """What people call it: what a partial keeps has a name of its own, `make*0`, which stands in no source.
+
+        A parameter is called by the last part of its name, which may have holes itself.
+        """
+        label = (self.part or self.label).strip("*").partition("*")[0]
+        return label.rpartition("/")[2].translate(_NO_BRACES) or "value"
 
     def of(self, part: str) -> Hole:
         """Return an element or a field of the same."""
