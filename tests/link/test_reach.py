@@ -6,6 +6,7 @@ import cProfile
 import pstats
 from pathlib import Path
 
+import pytest
 from workspaces import Workspace
 
 from ecm_extract.link.declaring.forms import form_table
@@ -82,3 +83,100 @@ def test_a_method_that_is_asked_of_a_class_is_that_of_no_other_program(workspace
     build = "project(pkg)\ninstall(PROGRAMS pkg/one.py pkg/two.py DESTINATION lib/${PROJECT_NAME})\n"
     workspace.package({**scripts, "CMakeLists.txt": build})
     assert _subscribed(workspace) == {"ecm.pkg.one": {"/one"}, "ecm.pkg.two": {"/two"}}
+
+
+def _made_by_demo(workspace: Workspace, files: dict[str, str]) -> set[str]:
+    workspace.package(files, ros=1)
+    for path in files:
+        (workspace.root / "pkg" / path).chmod(0o755)
+    return _subscribed(workspace)["ecm.pkg.demo"]
+
+
+_HOLDING = {
+    "python": """#!/usr/bin/env python3
+import rospy
+from std_msgs.msg import String
+
+
+class Inner:
+    def begin(self):
+        self.load()
+
+    def load(self):
+        rospy.Publisher("inner", String, queue_size=1)
+
+
+class Outer:
+    def __init__(self):
+        self.inner = Inner()
+        self.inner.begin()
+
+    def load(self):
+        rospy.Publisher("outer", String, queue_size=1)
+
+
+rospy.init_node("demo")
+Outer()
+""",
+    "cpp": """
+#include <ros/ros.h>
+#include <std_msgs/String.h>
+class Inner {
+ public:
+  void begin() { {call}load(); }
+  void load() { pub_ = nh_.advertise<std_msgs::String>("inner", 1); }
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+};
+class Outer {
+ public:
+  Outer() { inner_.begin(); }
+  void load() { pub_ = nh_.advertise<std_msgs::String>("outer", 1); }
+  Inner inner_;
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+};
+int main(int argc, char ** argv) { ros::init(argc, argv, "demo"); Outer outer; ros::spin(); }
+""",
+}
+
+
+@pytest.mark.parametrize(("language", "call"), [("python", ""), ("cpp", "this->"), ("cpp", "")])
+def test_a_method_that_an_object_calls_itself_is_that_of_its_class(
+    workspace: Workspace, language: str, call: str
+) -> None:
+    """`self.load()` of one class runs nothing of another class that is made, too, and has a method of that name."""
+    path = {"python": "scripts/demo.py", "cpp": "src/demo.cpp"}[language]
+    assert _made_by_demo(workspace, {path: _HOLDING[language].replace("{call}", call)}) == {"/inner"}
+
+
+_MIXED = """#!/usr/bin/env python3
+import rospy
+from std_msgs.msg import String
+
+
+class Part:
+    def begin(self):
+        self.load()
+
+    def load(self):
+        pass
+
+
+class Other:
+    def load(self):
+        rospy.Publisher("other", String, queue_size=1)
+
+
+class Whole(Other, Part):
+    pass
+
+
+rospy.init_node("demo")
+Whole().begin()
+"""
+
+
+def test_a_method_of_a_base_beside_another_is_run_in_its_place(workspace: Workspace) -> None:
+    """Which of two bases has the method, a class that derives from both says, not the one that calls it."""
+    assert _made_by_demo(workspace, {"scripts/demo.py": _MIXED}) == {"/other"}

@@ -154,7 +154,7 @@ class Func:
         if self._arity is None:
             alike = (other for other in self.siblings() if len(other.fact.params) == len(self.fact.params))
             least = min([_required(self.params), *(_required(other.params) for other in alike)])
-            self._arity = (0, inf) if _takes_any(self.params[-1:]) else (least, _most(self.params))
+            self._arity = (0, inf) if takes_any(self.params[-1:]) else (least, _most(self.params))
         return self._arity
 
     @property
@@ -249,7 +249,8 @@ def _required(params: Iterable[Parameter]) -> int:
     return sum([parameter.default is None for parameter in params])
 
 
-def _takes_any(params: Iterable[Parameter]) -> bool:
+def takes_any(params: Iterable[Parameter]) -> bool:
+    """Tell whether one of the parameters takes as many arguments as there are, or none."""
     return any(parameter.name.startswith("*") or "..." in parameter.type for parameter in params)
 
 

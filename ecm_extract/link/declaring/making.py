@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.units import Cls
+from ecm_extract.link.code.units import Cls, takes_any
 from ecm_extract.link.index.program import Program
 
 
@@ -38,4 +38,5 @@ class Making:
 def _default_constructible(cls: Cls) -> bool:
     """Tell whether a class can be made without arguments: no constructor at all, or one that needs none."""
     makers = [func for func in cls.methods if func.is_constructor]
-    return not makers or any(all(entry.default is not None for entry in maker.fact.params) for maker in makers)
+    needed = ([entry for entry in maker.fact.params if entry.default is None] for maker in makers)
+    return not makers or any(all(takes_any([entry]) for entry in params) for params in needed)

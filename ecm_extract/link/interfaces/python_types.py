@@ -13,7 +13,7 @@ from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.interfaces.sent_as import wrapped
 from ecm_extract.link.interfaces.type_found import ACTION, UNKNOWN_TYPE, TypeFound
-from ecm_extract.link.running.env import MAX_DEPTH, Env
+from ecm_extract.link.running.env import MAX_DEPTH, Env, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.interfaces.types import Types
@@ -43,6 +43,18 @@ class PythonTypes:
             return None
         at = wrapped(self.types.program.outside(dotted_name(expr.callee), env.func.file))
         return expr.args[at] if at is not None and at < len(expr.args) else None
+
+    def returned(self, expr: Expr, env: Env, role: Role) -> TypeFound:
+        """Return the class that a function of the tree gives wherever it returns: `def kind(self): return Image`."""
+        if env.func.file.language != "python" or not isinstance(expr, Call) or env.depth > MAX_DEPTH:
+            return UNKNOWN_TYPE
+        call, returns = invocation_of(expr, env), self.folder.returns
+        callee = returns.meant(call, env)
+        if callee is None or self.folder.redefined.may_be(callee, call, env):
+            return UNKNOWN_TYPE
+        given = returns.returned(callee, call, env.deeper(env.depth + 1))
+        found = {self.types.expression(value, place, role) for value, place in given}
+        return found.pop() if len(found) == 1 else UNKNOWN_TYPE
 
     def _imported(self, dotted: str, path: str, env: Env, role: Role) -> TypeFound:
         """What is below a `msg`, `srv` or `action`; what a module has is what it is called outside."""

@@ -84,6 +84,9 @@ class Types:
         wrapped = self.python.wrapped(expr, env)
         if wrapped is not None:
             return self.expression(wrapped, env, role)
+        given = self.python.returned(expr, env, role)
+        if given.name is not None:
+            return given
         bound = env.args.get(expr.id) if isinstance(expr, Name) else None
         if isinstance(expr, Op) and expr.op == "[]":
             bound = self.folder.tables.element(expr, env)

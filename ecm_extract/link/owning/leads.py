@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import NamedTuple
 
+from ecm_parsers.source.expr import THIS
 from ecm_parsers.source.facts import Constant
 
 from ecm_extract.link.code.decorators import are_known
@@ -113,23 +114,31 @@ class Leads:
         tables = (program.functions, program.classes, program.constants, program.aliases.last_names)
         return (Asked(name, place, makes) for name in names if any(name in table for table in tables))
 
-    def _parts(self, found: Mentions, file: File, scope: str = "") -> Iterator[Asked]:
+    def _parts(self, found: Mentions, file: File, scope: str = "", within: Cls | None = None) -> Iterator[Asked]:
         yield from self._asked(file, found.used)
-        yield from self._asked(file, [each.name for each in found.of_names if not self._owned(each, file, scope)])
+        others = [each.name for each in found.of_names if not self._owned(each, file, scope, within)]
+        yield from self._asked(file, others)
         yield from self._asked(file, found.held, makes=False)
         for name, around, placed in found.within:
             yield from (each._replace(around=around, placed=placed) for each in self._asked(file, [name]))
 
-    def _all_owned(self, found: Mentions, file: File, scope: str = "") -> list[Func]:
-        return [func for each in found.of_names for func in self._owned(each, file, scope)]
+    def _all_owned(self, found: Mentions, file: File, scope: str = "", within: Cls | None = None) -> list[Func]:
+        return [func for each in found.of_names for func in self._owned(each, file, scope, within)]
 
-    def _owned(self, asked: OfName, file: File, scope: str) -> Sequence[Func]:
-        """What a name means that is asked of a class which is known: its method, and none of other classes."""
-        if file.language != "python" or asked.name not in self.program.functions:
+    def _owned(self, asked: OfName, file: File, scope: str, within: Cls | None) -> Sequence[Func]:
+        """What a name means that is asked of a known class or of the own object: a method, and none of others."""
+        if asked.name not in self.program.functions:
             return ()
-        cls = self.program.class_named(asked.owner, file, scope)
-        methods = (func for each in self.program.ancestry(cls) for func in each.methods) if cls is not None else ()
-        return [func for func in methods if func.fact.name == asked.name]
+        if asked.owner == THIS.id:
+            return self._of_object(asked.name, within)
+        cls = self.program.class_named(asked.owner, file, scope) if file.language == "python" else None
+        return _methods(asked.name, self.program.ancestry(cls)) if cls is not None else ()
+
+    def _of_object(self, name: str, cls: Cls | None) -> Sequence[Func]:
+        """What an object's own class calls by a name that it or a base defines: that, or what derived classes have."""
+        if cls is None or not _methods(name, self.program.ancestry(cls)):
+            return ()
+        return _methods(name, self.program.related(cls))
 
     def _outside(self, found: Mentions, file: File) -> Iterator[Asked]:
         """All names of what stands outside of functions."""
@@ -196,18 +205,27 @@ class Leads:
     # --- functions ---------------------------------------------------------------------------------------
 
     def _run(self, func: Func) -> Lead:
-        """A name that stands alone means the function of its own file, if that has one, and no other."""
+        """A name alone means a method of its own object, else the function of its own file, and no other."""
         found = mentions_of(func)
-        own = [each for each in self.program.functions_in(func.file) if each.fact.name in found.plain]
+        methods = {name: self._unasked(name, func) for name in found.plain}
+        plain_names = {name for name, meant in methods.items() if not meant}
+        own = [each for each in self.program.functions_in(func.file) if each.fact.name in plain_names]
         asked = {
-            *self._parts(found, func.file, func.scope),
-            *self._asked(func.file, found.plain - {each.fact.name for each in own if each.cls is None}),
-            *self._asked(func.file, _imported(func.file, found.plain)),
+            *self._parts(found, func.file, func.scope, func.cls),
+            *self._asked(func.file, plain_names - {each.fact.name for each in own if each.cls is None}),
+            *self._asked(func.file, _imported(func.file, plain_names)),
             *self._asked(func.file, _imported(func.file, found.held), makes=False),
         }
         if _SUBCLASSES in found.used.union(each.name for each in found.of_names):
             asked.update(self._asked(func.file, self._derived_names(found)))
-        return _lead(found, asked, [*own, *self._all_owned(found, func.file, func.scope)])
+        meant = [each for group in methods.values() for each in group]
+        return _lead(found, asked, [*own, *meant, *self._all_owned(found, func.file, func.scope, func.cls)])
+
+    def _unasked(self, name: str, func: Func) -> Sequence[Func]:
+        """What a name that stands alone in a method of C++ means before all others, unless a macro or class has it."""
+        program = self.program
+        hidden = name in program.classes or name in program.constants or name not in program.functions
+        return () if hidden or func.file.language != "cpp" else self._of_object(name, func.cls)
 
     def _derived_names(self, known: Mentions) -> Iterator[str]:
         """`Part.__subclasses__()` gives all classes that derive from one."""
@@ -226,6 +244,10 @@ class Leads:
         written = plain(base)
         known = last_name(written) in _table()["bases"]
         return not known and self.program.class_named(written, cls.file, cls.fact.scope) is None
+
+
+def _methods(name: str, classes: Iterable[Cls]) -> list[Func]:
+    return [func for cls in classes for func in cls.methods if func.fact.name == name]
 
 
 def _lead(found: Mentions, asked: Iterable[Asked], funcs: Sequence[Func] = ()) -> Lead:

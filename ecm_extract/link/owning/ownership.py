@@ -42,7 +42,7 @@ class Ownership:
         if called is not None:
             return (called,)
         owners = [each for each in self.modules.owners(unit) if not _is_told_by_rows(site, each)]
-        derived = [each for each in owners if self._derives(each, site)]
+        derived = [each for each in owners if self._derives(each, site) or self._is_base_only(each, site)]
         if derived and len(derived) == len(owners):
             return ()
         owners = [each for each in owners if each not in derived]
@@ -61,6 +61,13 @@ class Ownership:
         """Whether a module is a class that derives from the one of whose objects a site tells; it has its own."""
         cls, exact = module.cls, site.exact
         return cls is not None and exact is not None and cls is not exact and exact in self.program.ancestry(cls)
+
+    def _is_base_only(self, module: Module, site: Site) -> bool:
+        """Whether nobody makes an object of the class that a site tells of: a program has one that derives from it."""
+        cls = site.exact
+        if module.main is None or cls is None or not self.program.derived(cls):
+            return False
+        return next(self.modules.references.makers(cls), None) is None
 
     def _called_on(self, unit: Unit, site: Site) -> Module | None:
         """The node whose object a program calls by itself: `node->declare_parameter(...)` in `main`."""

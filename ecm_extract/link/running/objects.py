@@ -193,17 +193,18 @@ class Objects:
 
     # --- instances -------------------------------------------------------------------------------------
 
-    def part(self, made: Instance, base: Cls, depth: int = 0) -> Instance | None:
-        """Return how the `base` part of an object is made, following constructor initialisers."""
+    def part(self, made: Instance, base: Cls, depth: int = 0, whole: Instance | None = None) -> Instance | None:
+        """Return how the `base` part of an object is made, following constructor initialisers; `whole` is all of it."""
         if made.cls is base:
             return made
         if depth > 8:
             return None
+        whole = whole if whole is not None else made
         for written in made.cls.fact.bases:
             parent = self.program.class_named(plain(written), made.cls.file, made.cls.fact.scope)
             if parent is None or base not in self.program.ancestry(parent):
                 continue
-            return self.part(self.base_instance(made, parent, written), base, depth + 1)
+            return self.part(self._base_instance(made, parent, written, whole), base, depth + 1, whole)
         return None
 
     def class_types(self, env: Env) -> Mapping[str, str]:
@@ -232,8 +233,8 @@ class Objects:
         part = self.part(made, func.cls)
         return part is None or part.maker is None or part.maker is func
 
-    def base_instance(self, made: Instance, parent: Cls, written: str) -> Instance:
-        """Return how a derived class makes its direct base."""
+    def _base_instance(self, made: Instance, parent: Cls, written: str, whole: Instance) -> Instance:
+        """Return how a derived class makes its direct base, with what methods of the whole object give."""
         types = dict(zip(parent.fact.template, template_arguments(written), strict=False))
         types = {key: made.types.get(value) or self._meant(value, made.cls) for key, value in types.items()}
         if made.maker is not None and made.maker.cls is not made.cls:
@@ -245,7 +246,7 @@ class Objects:
         constructor = self.constructor(parent, calls[0]) if len(calls) == 1 else None
         if constructor is None:
             return Instance(parent, {}, types)
-        env = Env(calls[0].func, args=made.args, this=made.cls, made=made)
+        env = Env(calls[0].func, args=made.args, this=whole.cls, made=whole)
         return Instance(parent, bind(constructor, calls[0], env.before(calls[0].at)), types, constructor)
 
     def delegated(self, made: Instance) -> Instance:

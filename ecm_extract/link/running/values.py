@@ -17,6 +17,7 @@ MAX_LENGTH = 16_384
 NAMESPACE = "node namespace"
 PARENT_NAMESPACE = "parent namespace"
 """Labels with a space: no variable of a source is called so."""
+_NO_BRACES = str.maketrans("{", "_", "}")
 _RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "one_of": 3, "pattern": 4}
 
 
@@ -37,8 +38,12 @@ class Hole(NamedTuple):
 
     @property
     def shown(self) -> str:
-        """What people call it: what a partial keeps has a name of its own, `make*0`, which stands in no source."""
-        return (self.part or self.label).strip("*").partition("*")[0] or "value"
+        """What people call it: what a partial keeps has a name of its own, `make*0`, which stands in no source.
+
+        A parameter is called by the last part of its name, which may have holes itself.
+        """
+        label = (self.part or self.label).strip("*").partition("*")[0]
+        return label.rpartition("/")[2].translate(_NO_BRACES).strip("_" * ("{" in label)) or "value"
 
     def of(self, part: str) -> Hole:
         """Return an element or a field of the same."""
