@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import chain
 from typing import NamedTuple
@@ -21,7 +21,7 @@ from ecm_extract.link.code.walk import children, last_of
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.surely_held import surely_held
-from ecm_extract.link.running.values import Value, is_proved, is_setting
+from ecm_extract.link.running.values import OfParameter, Value, is_proved, is_setting
 from ecm_extract.shipped import shipped_names
 
 _MACRO = "#if "
@@ -56,6 +56,13 @@ class Conditions:
         around = (told for turn in turns for told in self._of_turn(turn))
         within = (told for asked in asked_before(call) for told in self._tested(asked.test, asked.holds, env))
         return tuple(dict.fromkeys(chain(around, within)))
+
+    def excluded(self, call: Invocation, env: Env) -> Iterator[OfParameter]:
+        """Yield the parameters that have no more their defaults where a call is evaluated."""
+        excluded = self.folder.excluded
+        yield from excluded.at(env)
+        for asked in asked_before(call):
+            yield from excluded.on(asked.test, asked.holds, env)
 
     def _of_turn(self, turn: Turn) -> tuple[Told, ...]:
         known = self._told.get(turn)
@@ -174,15 +181,6 @@ class Conditions:
 def key_of(expr: Expr) -> str:
     """Return a variable or member of the object at hand by its name, others by what they are asked of."""
     return expression_text(expr, python=False)
-
-
-def common(groups: Iterable[Sequence[Told]]) -> tuple[Told, ...]:
-    """Return what holds in all of several groups."""
-    rest = iter(groups)
-    found = tuple(next(rest, ()))
-    while found and (group := next(rest, None)) is not None:  # what no place tells is not asked of the others
-        found = tuple(told for told in found if told in group)
-    return found
 
 
 def _having(name: str, value: Value, negated: bool) -> Condition:

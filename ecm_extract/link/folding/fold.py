@@ -201,7 +201,7 @@ class Folder:
             self.cuts += 1
             return (unknown("value"),)
         with self.steps:
-            values = self.excluded.without(self.numbers.held(self._by_kind(expr, env), expr, env), env)
+            values = self.numbers.held(self._by_kind(expr, env), expr, env)
         if any(TOO_MANY.parts[0] in value.parts for value in values):
             self.steps.leave_out(env)
         return values

@@ -63,9 +63,15 @@ class HeldFolder:
         states = self._states(ways, env)
         found: list[Value] = []
         for helds in states:
-            values = [value for held in helds for value in self.values(held, env)]
-            found += alternatives(values) if len(helds) > 1 else values
+            if len(helds) > 1:
+                found += alternatives(value for held in helds for value in self._one_of(held, env))
+            else:
+                found += self.values(helds[0], env) if helds else ()
         return alternatives(found) if len(states) > 1 else tuple(found)
+
+    def _one_of(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """What a variable holds that may hold something else: only where it was given this, which a test decided."""
+        return self.folder.excluded.without(self.values(held, env), held.env)
 
     def _states(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[tuple[Held, ...]]:
         """What a variable holds in states of which it holds something different, where reading it does not raise."""

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
 from ecm_checker.contract import Confidence
-from ecm_parsers.source.expr import Constant as Named
-from ecm_parsers.source.expr import Expr, Number, Text
 from ecm_parsers.source.facts import Constant
 
 from ecm_extract.infer.compute import NULL, UNKNOWN
@@ -237,43 +235,6 @@ def without_defaults(value: Value) -> Value:
         part._replace(default=None) if isinstance(part, Hole) and part.kind == "made" else part for part in value.parts
     ]
     return value._replace(parts=tuple(parts))
-
-
-class Default(NamedTuple):
-    """What a ROS parameter is as long as nobody sets it: a part of values, and as an expression."""
-
-    part: OfParameter
-    value: Expr
-
-
-def default_of(value: Value) -> Default | None:
-    """Return the default of the parameter whose value this is and nothing else; None where it has none."""
-    part = value.template[0] if len(value.template) == 1 else None
-    if not isinstance(part, OfParameter) or isinstance(value.data, Enumerator):
-        return None
-    if not all(isinstance(each, str) for each in part.default):
-        return None
-    return Default(part, stated(value._replace(parts=part.default)))
-
-
-def stated(value: Value) -> Expr:
-    """Return what gives a value that is known."""
-    if isinstance(value.data, int | float) and not isinstance(value.data, bool):
-        return Number(value.data)
-    return Text(value.text) if value.data is None else Named("null" if value.data is NULL else str(value.data).lower())
-
-
-def without_those(value: Value, excluded: Set[str | Hole | OfParameter]) -> Value:
-    """The same value where some of its parameters are surely set to something else than their defaults."""
-    if excluded.isdisjoint(value.template):
-        return value
-    template = [_opened(part) if isinstance(part, OfParameter) and part in excluded else part for part in value.template]
-    parts = [each for part in template for each in (part.default if isinstance(part, OfParameter) else (part,))]
-    return Value(tuple(parts), "pattern", tuple(template), beside=value.beside and "pattern")
-
-
-def _opened(part: OfParameter) -> OfParameter:
-    return part._replace(default=setting_of(part.parameter).parts)
 
 
 def weaker(first: Confidence, second: Confidence) -> Confidence:
