@@ -232,7 +232,7 @@ class HeldFolder:
         return self.folder.combined(options, with_character, _label(held.name))
 
     def _handed(self, held: Held, env: Env, python: bool) -> tuple[Value, ...]:
-        """Whoever gets a text in Python cannot change it; in C++ somebody outside the tree may, or fill an empty one."""
+        """Whoever gets a text in Python cannot change it; in C++ somebody outside may, or fill an empty one."""
         values = self._before(held, env)
         if python:
             return values
