@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import reduce
 from typing import TYPE_CHECKING, Final, Literal, NamedTuple
 
 from ecm_parsers.source.expr import Expr
@@ -258,6 +259,11 @@ def _met_of(met: Held) -> tuple[Held, ...]:
     if len(found) <= MAX_REMEMBERED:
         met.settled[_MET] = tuple(found)
     return tuple(found)
+
+
+def common_path(states: Sequence[State]) -> tuple[Turn, ...]:
+    """Return the branches that all of some states went through alike."""
+    return reduce(_common, [state.path for state in states]) if states else ()
 
 
 def _common(one: tuple[Turn, ...], other: tuple[Turn, ...]) -> tuple[Turn, ...]:

@@ -257,7 +257,7 @@ class Linker:
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, LocalName]]:
         given = handle_argument(site.form, site.call)
         for handle in self.handles.of(given, site.env, only=bool(site.form.fixed and site.form.node)).each():
-            yield from self._below(handle, site, node, origin)
+            yield from self._below(self.conditions.below(handle, site), site, node, origin)
 
     def _below(
         self, handle: Handle, site: Site, node: str | None, origin: str | None
@@ -293,7 +293,7 @@ class Linker:
                 frame=frame_of(site, self.folder),
                 confidence=confidence,
                 evidence=evidence,
-                default=None if data is UNKNOWN else data,
+                default=None if data is UNKNOWN or self.conditions.exclude(default, site) else data,
                 inherited_from=origin,
                 when=when,
                 needed=data in (None, UNKNOWN) and self.needed.has(site),
@@ -329,7 +329,7 @@ class Linker:
         expr = default_of(site, values, self.folder)
         default = Bound(expr, site.env) if expr is not None else None
         place = place_at(site, self.folder)
-        return [(placed(value, place), default) for value in values[:MAX_NAMES]]
+        return [(placed(self.conditions.left(value, site), place), default) for value in values[:MAX_NAMES]]
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
         form = site.form

@@ -24,15 +24,21 @@ def builds(packages: Sequence[PackageFacts]) -> list[list[PackageFacts]]:
     return _groups(_found(packages), "")
 
 
+def hidden_of(packages: Sequence[PackageFacts]) -> list[PackageFacts]:
+    """Return the packages within others that one of their name outside hides."""
+    roots = {package.root.path for package in packages}
+    inner = {path for path in roots if _around(path, roots) is not None}
+    names = {package.name for package in packages if package.root.path not in inner}
+    return [package for package in packages if package.root.path in inner and package.name in names]
+
+
 def _found(packages: Sequence[PackageFacts]) -> list[PackageFacts]:
     """The packages without those that one outside hides; the files of these are of the package around them.
 
     No build tool looks for packages within a package, so that a name means the one that it finds elsewhere.
     """
     roots = {package.root.path for package in packages}
-    inner = {path for path in roots if _around(path, roots) is not None}
-    names = {package.name for package in packages if package.root.path not in inner}
-    hidden = {package.root.path for package in packages if package.root.path in inner and package.name in names}
+    hidden = {package.root.path for package in hidden_of(packages)}
     files: dict[str | None, list[Entry]] = defaultdict(list)
     for package in packages:
         if package.root.path in hidden:

@@ -25,7 +25,7 @@ from ecm_extract.link.linker import Linker
 from ecm_extract.link.owning.composition import composition_of
 from ecm_extract.lint.beside import Lines, own_running, running_beside
 from ecm_extract.lint.beside_files import Beside, is_description
-from ecm_extract.lint.builds import builds
+from ecm_extract.lint.builds import builds, hidden_of
 from ecm_extract.lint.known import Known
 from ecm_extract.lint.own_packages import own_packages
 from ecm_extract.read.facts import PackageFacts
@@ -39,7 +39,7 @@ from ecm_extract.system.package_folders import folders_read
 from ecm_extract.system.running import running_of
 from ecm_extract.system.system import System, evaluated_system
 from ecm_extract.test_code import is_test_path
-from ecm_extract.tree import FileDiagnostic, Tree, Unread
+from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
 
 MAX_SYSTEMS = 80
 MAX_DESCRIPTIONS = 120
@@ -111,6 +111,8 @@ class Workspace:
     def parts(self) -> Sequence[Workspace]:
         """The workspace itself, or one for each set of packages that are built together."""
         groups = builds(self.packages)
+        for package in hidden_of(self.packages):
+            self.tree.report(_hidden(package))
         return [self] if groups == [self.packages] else [self._part(group) for group in groups]
 
     def _part(self, packages: list[PackageFacts]) -> Workspace:
@@ -263,6 +265,16 @@ class Workspace:
 def evidence_of(place: Place) -> Evidence:
     """Return a place as evidence."""
     return Evidence(place.path, place.line)
+
+
+def _hidden(package: PackageFacts) -> FileDiagnostic:
+    """What is told of a package whose files are judged as those of the one around it."""
+    path = printable(package.root.manifest or package.root.path)
+    message = (
+        f"{printable(package.name)} lies within another package, and one of its name stands elsewhere, which build "
+        "tools take: it is not judged as a package of its own. Give it another name, or move it out."
+    )
+    return FileDiagnostic("info", "package-hidden", path, 0, message, about=printable(package.name))
 
 
 def _included(actions: Sequence[Action]) -> Iterator[str]:

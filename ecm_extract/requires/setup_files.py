@@ -57,7 +57,7 @@ def _packages(setup: PythonSetup, facts: PackageFacts) -> Iterator[_Named]:
         if not _OPEN.search(name):
             path = _place(name, facts)
             if path is not None:
-                yield _Named(path, f"the package {name}", 1)
+                yield _Named(path, f"the package {name}", setup.package_lines.get(name) or 1)
 
 
 def _started(setup: PythonSetup, facts: PackageFacts) -> Iterator[_Named]:

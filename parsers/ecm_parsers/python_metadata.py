@@ -8,7 +8,7 @@ from __future__ import annotations
 import configparser
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from ecm_parsers.python_setup_facts import DataFiles, EntryPoint, PythonSetup, entry_point
@@ -50,6 +50,7 @@ def parse_setup_cfg(data: bytes) -> Parsed[PythonSetup]:
         scripts=tuple(_items(_option(sections, "options", "scripts") or "")),
         data_files=tuple(_cfg_data_files(sections, text)),
         entry_points=points,
+        package_lines=_stated_at(text, _cfg_packages(sections)),
     )
     return Parsed(facts, tuple(diagnostics))
 
@@ -65,6 +66,7 @@ def parse_pyproject(data: bytes) -> Parsed[PythonSetup]:
         name=_str(project.get("name")),
         version=_str(project.get("version")),
         packages=_toml_packages(tool.get("packages")),
+        package_lines=_stated_at(text, _toml_packages(tool.get("packages"))),
         package_dir={key: str(value) for key, value in _dict(tool.get("package-dir")).items()},
         scripts=tuple(str(item) for item in _list(tool.get("script-files"))),
         data_files=tuple(_toml_data_files(tool, text)),
@@ -97,6 +99,13 @@ def _lines(text: str) -> dict[str, int]:
 def _line(lines: dict[str, int], written: str) -> int:
     """Return the 1-based line of a `key = value` or key; 0 when it is written in another way."""
     return lines.get(_BLANK.sub("", written), 0)
+
+
+def _stated_at(text: str, packages: Iterable[str]) -> dict[str, int]:
+    """Return the lines of packages: of their own where one stands alone on its line, else of the list."""
+    lines = _lines(text)
+    found = {name: lines.get(name) or lines.get(f"{name},") or _line(lines, "packages") for name in packages}
+    return {name: line for name, line in found.items() if line}
 
 
 def _option(sections: _Sections, section: str, name: str) -> str | None:

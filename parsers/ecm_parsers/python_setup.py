@@ -49,6 +49,7 @@ def parse_setup_py(data: bytes) -> Parsed[PythonSetup]:
         entry_points=_entry_points(keywords.get("entry_points"), diagnostics),
         parameter_files=calls.parameter_files,
         makes_modules=calls.of_parameters or not _MAKING.isdisjoint(keywords),
+        package_lines={**_lines(keywords.get("py_modules")), **_lines(keywords.get("packages"))},
     )
     return Parsed(facts, tuple(diagnostics))
 
@@ -138,6 +139,12 @@ def _texts(value: Value | None) -> tuple[str, ...]:
     if value is None or not isinstance(value.data, tuple):
         return ()
     return tuple(shown(item) for item in value.data)
+
+
+def _lines(value: Value | None) -> dict[str, int]:
+    """Return the line of each item of a list; one that a variable stands for is told where the list names it."""
+    items = value.data if value is not None and isinstance(value.data, tuple) else ()
+    return {shown(item): item.line for item in items}
 
 
 def _packages(value: Value | None) -> tuple[str, ...]:

@@ -37,6 +37,7 @@ class PythonSetup(msgspec.Struct, frozen=True):
         entry_points: programs and plugins.
         parameter_files: declarations that generate_parameter_library makes a Python module of, from this folder.
         makes_modules: whether it makes modules that lie in no folder: of parameters, or compiled ones.
+        package_lines: package that is written out -> its line.
     """
 
     name: str | None = None
@@ -48,6 +49,7 @@ class PythonSetup(msgspec.Struct, frozen=True):
     entry_points: tuple[EntryPoint, ...] = ()
     parameter_files: tuple[str, ...] = ()
     makes_modules: bool = False
+    package_lines: dict[str, int] = {}
 
 
 def entry_point(group: str, text: str, line: int, diagnostics: list[Diagnostic]) -> EntryPoint | None:

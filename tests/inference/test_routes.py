@@ -86,7 +86,7 @@ def test_whether_a_place_is_reached_asks_what_leads_there(linker: Linker) -> Non
     flow = linker.folder.flow
     state = flow.states(place)[0]
     assert flow.is_reached(place)
-    assert [turn.left for turn in flow.decisions.turns(state)] == ["return"]
+    assert [turn.left for turn in flow.decisions.turns(state.path)] == ["return"]
 
 
 def _side(state: State, holds: bool, gate: Gate) -> State:

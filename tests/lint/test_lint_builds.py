@@ -8,8 +8,12 @@ import pytest
 from lint_fixtures import lint
 
 from ecm_extract.discover import PackageRoot
+from ecm_extract.extraction_model import Options
 from ecm_extract.lint.builds import builds
+from ecm_extract.lint.run import findings_of
+from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import open_tree
 
 ROWS = [
     (["a", "b"], [["a", "b"]]),
@@ -59,3 +63,14 @@ def test_files_of_a_hidden_package_are_still_read(workspace: Any) -> None:
     found = [(each.subjects, each.evidence[0].path) for each in lint(workspace.root) if each.rule == "LNT061"]
     assert (("demo",), "demo/maps/launch/a.launch") in [(tuple(names), path) for names, path in found]
     assert len(found) == 3
+
+
+def test_a_package_that_is_hidden_is_told(workspace: Any) -> None:
+    """It is not judged as one of its own, and nothing else says so; one that no other hides is."""
+    for name in ("demo", "maps", "demo/maps", "demo/other"):
+        workspace.package({}, ros=1, name=name)
+        manifest = workspace.root / name / "package.xml"
+        manifest.write_text(manifest.read_text().replace(name, name.rpartition("/")[2]))
+    tree = open_tree(workspace.root)
+    findings_of(Workspace(tree, Options(jobs=1)))
+    assert [each.path for each in tree.diagnostics if each.code == "package-hidden"] == ["demo/maps/package.xml"]

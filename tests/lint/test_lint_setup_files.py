@@ -41,6 +41,14 @@ def test_what_setup_names(rows: str, expected: int, workspace: Any) -> None:
     assert [each.rule for each in lint(workspace.package(files).root)].count("LNT059") == expected
 
 
+def test_where_a_package_is_written(workspace: Any) -> None:
+    """A package that is not there is told where the list names it, be it by a variable."""
+    setup = "from setuptools import setup\nname = 'gone'\nsetup(name=name, packages=[\n  'pkg',\n  name,\n])\n"
+    files = {**FILES, "package.xml": MANIFEST.format(kind="ament_python"), "setup.py": setup}
+    found = [each.evidence[0].line for each in lint(workspace.package(files).root) if each.rule == "LNT059"]
+    assert found == [5]
+
+
 def test_a_package_that_cmake_builds_is_not_set_up(workspace: Any) -> None:
     """What setup.py says there is read for a part, or never."""
     rows = "packages=['gone'], data_files=[('share/pkg', ['config/b.yaml'])]"

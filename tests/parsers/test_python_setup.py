@@ -82,6 +82,18 @@ def test_entries_that_are_set_one_by_one() -> None:
     assert parse_setup_py(b"setup()\nd[0] = 1\nd[a][b] = 2\nself.d['x'] = 3\n").facts.packages == ()
 
 
+def test_lines_of_packages() -> None:
+    """Each package has the line on which the list names it, or that of the list."""
+    of_setup = parse_setup_py(
+        b"p = 'a'\nsetup(\n  packages=[\n    p,\n    'b', p + '.c'],\n  py_modules=['d'])\n"
+    ).facts
+    of_cfg = parse_setup_cfg(b"[options]\npackages =\n  a\n  b\n").facts
+    of_project = parse_pyproject(b'[tool.setuptools]\npackages = ["a",\n  "b",\n]\n').facts
+    assert of_setup.package_lines == {"a": 4, "b": 5, "a.c": 5, "d": 6}
+    assert of_cfg.package_lines == {"a": 3, "b": 4}
+    assert of_project.package_lines == {"a": 2, "b": 3}
+
+
 def test_setup_cfg() -> None:
     """setup.cfg gives names, folders with their case, and entry points with lines."""
     text = b"""[metadata]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Text
 from ecm_parsers.source.facts import Parameter
@@ -35,15 +35,19 @@ def score(call: Invocation, func: Func) -> int:
     return total
 
 
+def scored(call: Invocation, funcs: Iterable[Func]) -> dict[Func, int]:
+    """Return the functions that a call can mean, with how well it fits them."""
+    return {func: fit for func in funcs if (fit := score(call, func)) != NO}
+
+
 def fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
     """Return the functions with a body that a call can mean, best first."""
-    scores = {func: fit for func in funcs if _has_body(func) and (fit := score(call, func)) != NO}
+    scores = scored(call, filter(_has_body, funcs))
     return sorted(not_outranked(call, list(scores)), key=lambda func: -scores[func])
 
 
-def best(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
-    """Return the functions that a call fits best."""
-    scores = {func: fit for func in funcs if (fit := score(call, func)) != NO}
+def best(call: Invocation, scores: Mapping[Func, int]) -> list[Func]:
+    """Return the functions that a call fits best, of those that it can mean."""
     found = not_outranked(call, list(scores))
     most = max((scores[func] for func in found), default=NO)
     return [func for func in found if scores[func] == most]

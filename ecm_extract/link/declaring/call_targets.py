@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.overloads import NO, best, score
+from ecm_extract.link.code.overloads import best, scored
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.closures import around, handed_to, is_returned, uses, uses_handed
@@ -84,9 +84,9 @@ class CallTargets:
         known = self._targets.get(call)
         if known is None:
             seen = self.folder.program.seen_functions(call.last, call.func.file)
-            visible = [func for func in seen if score(call, func) != NO and self._visible(call, func)]
+            visible = {func: fit for func, fit in scored(call, seen).items() if self._visible(call, func)}
             if call.simple and any(func.cls is not None for func in visible):
-                visible = [func for func in visible if func.cls is not None]  # members hide functions
+                visible = {func: fit for func, fit in visible.items() if func.cls is not None}  # members hide functions
             known = self._targets[call] = _own_first(call, best(call, visible))
         return known
 

@@ -35,7 +35,7 @@ def _handed(call: Invocation) -> tuple[Expr, ...]:
 def _on_the_way(site: Site, folder: Folder) -> Iterator[Expr]:
     """What is asked on the way to a site and not decided yet."""
     for state in folder.flow.reached(site.places[0] if site.places else site.env):
-        for turn in folder.flow.decisions.turns(state):
+        for turn in folder.flow.decisions.turns(state.path):
             if turn.test is not None:
                 yield turn.test
 

@@ -169,7 +169,11 @@ class Sites:
         """Tell whether somebody may call the outermost function of a site who is none of those that do."""
         calls = self.callers(site.root)
         called = any(each.chain and each.chain[0] in calls for each in wider)
-        return called and self._given.has(site.root)
+        return called and self.is_given(site.root)
+
+    def is_given(self, func: Func) -> bool:
+        """Tell whether somebody gets a function who may call it with anything."""
+        return self._given.has(func)
 
     def _goes_on(self, site: Site) -> bool:
         """Tell whether a function calls itself once more than is followed."""

@@ -69,7 +69,7 @@ class WaysIn:
     def places(self, env: Env) -> Iterator[tuple[Env, bool]]:
         """Yield a place once for each state, and whether a run that gets there in one of them does so in all."""
         places = self.folder.flow.places(env)
-        paths = {self.folder.flow.decisions.turns(place.state) for place in places if place.state is not None}
+        paths = {self.folder.flow.decisions.turns(place.state.path) for place in places if place.state is not None}
         for place in places:
             yield place, len(paths) <= 1
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import chain
 from typing import NamedTuple
@@ -11,7 +11,7 @@ from ecm_checker.hub.condition import Condition, text_of
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op, Opaque
 
 from ecm_extract.infer.compute import NULL, is_number
-from ecm_extract.infer.held import Turn, joined_states
+from ecm_extract.infer.held import Turn, common_path
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.choosing import asked_before
 from ecm_extract.link.code.expression_text import expression_text
@@ -20,7 +20,8 @@ from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.walk import children, last_of
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Bound, Env
-from ecm_extract.link.running.values import Value, is_proved, is_setting
+from ecm_extract.link.running.surely_held import surely_held
+from ecm_extract.link.running.values import OfParameter, Value, is_proved, is_setting
 from ecm_extract.shipped import shipped_names
 
 _MACRO = "#if "
@@ -51,11 +52,17 @@ class Conditions:
 
     def of(self, call: Invocation, env: Env) -> tuple[Told, ...]:
         """Return what must hold where a call is evaluated: the branches around its statement, and the tests in it."""
-        state = joined_states(self.folder.flow.reached(env))
-        turns = self.folder.flow.decisions.turns(state) if state is not None else ()
+        turns = self.folder.flow.decisions.turns(common_path(self.folder.flow.reached(env)))
         around = (told for turn in turns for told in self._of_turn(turn))
         within = (told for asked in asked_before(call) for told in self._tested(asked.test, asked.holds, env))
         return tuple(dict.fromkeys(chain(around, within)))
+
+    def excluded(self, call: Invocation, env: Env) -> Iterator[OfParameter]:
+        """Yield the parameters that have no more their defaults where a call is evaluated."""
+        excluded = self.folder.excluded
+        yield from excluded.at(env)
+        for asked in asked_before(call):
+            yield from excluded.on(asked.test, asked.holds, env)
 
     def _of_turn(self, turn: Turn) -> tuple[Told, ...]:
         known = self._told.get(turn)
@@ -110,17 +117,8 @@ class Conditions:
 
     def _behind(self, test: Expr, env: Env) -> Bound | None:
         """The test that a variable holds the answer of: `const bool both = a && b; if (both)`."""
-        found = self._held(test, env)
+        found = surely_held(test, env, self.folder.flow)
         return found if found is not None and isinstance(found.expr, Op) else None
-
-    def _held(self, expr: Expr, env: Env) -> Bound | None:
-        """What a variable surely holds, with where that is evaluated."""
-        ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
-        helds = {held for way in ways for held in way}
-        held = next(iter(helds), None)
-        if held is None or len(helds) > 1 or held.how != "value" or held.expr is None or held.env is None:
-            return None
-        return Bound(held.expr, held.env)
 
     def _says_something(self, test: Expr, env: Env) -> bool:
         """Whether a test is more than whether something is there already, or whether the program runs at all."""
@@ -136,7 +134,7 @@ class Conditions:
     def _of_listeners(self, test: Expr, env: Env) -> Condition | None:
         """Whether a publisher has listeners, told by the variable that holds it."""
         asked = test.operands[0] if isinstance(test, Op) and test.op in _MORE else test
-        held = self._held(asked, env)
+        held = surely_held(asked, env, self.folder.flow)
         calls = _calls(held.expr if held is not None else asked)
         publishers = [
             base for call in calls if last_of(call.callee) in _names("listeners") for base in _receivers(call)
@@ -183,15 +181,6 @@ class Conditions:
 def key_of(expr: Expr) -> str:
     """Return a variable or member of the object at hand by its name, others by what they are asked of."""
     return expression_text(expr, python=False)
-
-
-def common(groups: Iterable[Sequence[Told]]) -> tuple[Told, ...]:
-    """Return what holds in all of several groups."""
-    rest = iter(groups)
-    found = tuple(next(rest, ()))
-    while found and (group := next(rest, None)) is not None:  # what no place tells is not asked of the others
-        found = tuple(told for told in found if told in group)
-    return found
 
 
 def _having(name: str, value: Value, negated: bool) -> Condition:

@@ -13,65 +13,44 @@ from ecm_checker.contract import Interface
 from ecm_checker.hub.condition import Condition
 from ecm_parsers.source.expr import Op
 
-from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.site import Site
-from ecm_extract.link.declaring.sites import Sites, overrides
-from ecm_extract.link.endpoints.conditions import Conditions, Told, common, key_of
+from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.endpoints.around import Around
+from ecm_extract.link.endpoints.conditions import Conditions, key_of
+from ecm_extract.link.naming.handles import Handle
 from ecm_extract.link.owning.modules import Module, Modules
-
-MAX_CALLERS = 32
-"""Callers of one function that are looked at; what is called from more places is told without their conditions."""
+from ecm_extract.link.running.defaults import without_those
+from ecm_extract.link.running.env import Bound
+from ecm_extract.link.running.values import Value
 
 
 class EndpointConditions:
     """Finds the conditions of sites, and calls what they test as the module calls it."""
 
     def __init__(self, sites: Sites, modules: Modules) -> None:
-        self.sites = sites
-        self.modules = modules
-        self.conditions = Conditions(sites.folder)
-        self._around: dict[Func, tuple[Told, ...]] = {}
+        self._folder = sites.folder
+        conditions = Conditions(sites.folder)
+        self._told = Around(sites, modules, conditions.of)
+        self._excluded = Around(sites, modules, conditions.excluded)
         self._topics: dict[Module, dict[str, str]] = defaultdict(dict)
 
     def of(self, site: Site) -> tuple[Condition, ...]:
         """Return what must hold for a site to be reached, as the source calls it."""
         made = set(_made(site))
-        found = [
-            *self.around(site.root),
-            *(told for call, env in site.steps() for told in self.conditions.of(call, env)),
-        ]
-        return tuple(dict.fromkeys(each.condition for each in found if not each.asks & made))
+        return tuple(dict.fromkeys(each.condition for each in self._told.of(site) if not each.asks & made))
 
-    def around(self, func: Func) -> tuple[Told, ...]:
-        """Return what holds in all places that call a function, directly or through others."""
-        known = self._around.get(func)
-        if known is None:
-            self._around[func] = ()  # who asks in a circle
-            calls = list(self._entries(func))
-            known = common(self._before(call) for call in calls) if len(calls) <= MAX_CALLERS else ()
-            self._around[func] = known
-        return known
+    def left(self, value: Value, site: Site) -> Value:
+        """Return a value of a site, open where it has a default of a parameter that no run has which gets there."""
+        return without_those(value, set(self._excluded.of(site))) if value.template else value
 
-    def _before(self, call: Invocation) -> tuple[Told, ...]:
-        env = self.sites.root_env(call.func, call.at)
-        return (*self.around(call.func), *self.conditions.of(call, env))
+    def below(self, handle: Handle, site: Site) -> Handle:
+        """Return what a handle of a site makes of names, as `left` does for values."""
+        return handle._replace(prefix=self.left(handle.prefix, site))
 
-    def _entries(self, func: Func) -> Iterable[Invocation]:
-        """The calls that a function is entered by, nothing where others may enter it."""
-        if func.is_constructor:
-            return self._makers(func.cls) if func.cls is not None else ()
-        if overrides(func) or self.modules.references.hands(func.fact.name):
-            return ()
-        return self.sites.callers(func)
-
-    def _makers(self, cls: Cls) -> Iterable[Invocation]:
-        """The calls that make a helper; a class with a contract of its own is made by whoever loads it."""
-        if self.modules.is_module(cls) or self.sites.program.derived(cls):
-            return ()
-        made = [call for call in self.sites.calls.get(cls.fact.name, ()) if self.sites.makes(call, cls)]
-        others = set(self.modules.references.handing(cls)) - {call.func for call in made}
-        return () if others else made
+    def exclude(self, default: Bound | None, site: Site) -> bool:
+        """Tell whether a default of a site is made with one of another parameter that no run has which gets there."""
+        values = self._folder.fold(default.expr, default.env) if default is not None else ()
+        return any(self.left(value, site) is not value for value in values)
 
     # --- names -------------------------------------------------------------------------------------------
 

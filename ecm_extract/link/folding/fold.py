@@ -63,6 +63,7 @@ from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.changed_meanwhile import ChangedMeanwhile
 from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
+from ecm_extract.link.running.excluded import Excluded
 from ecm_extract.link.running.faults import Faults
 from ecm_extract.link.running.first_methods import FirstMethods
 from ecm_extract.link.running.flow import Flow
@@ -172,6 +173,7 @@ class Folder:
         """Make those who know what runs of functions leave variables with."""
         self.nesting = self.scope.nesting
         self.flow = Flow(self)
+        self.excluded = Excluded(self)
         self.unset = UnsetVariables(self)
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
@@ -291,6 +293,7 @@ class Folder:
         self.names.variables.forget()
         self.reads.forget()
         self.flow.forget()
+        self.excluded.forget()
         self.states.forget()
         self.untold.forget()
 

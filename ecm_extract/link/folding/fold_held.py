@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import with_character
-from ecm_extract.infer.held import Held, How, all_ways
+from ecm_extract.infer.held import Held, How
 from ecm_extract.infer.places import as_written
 from ecm_extract.link.code.containers import begins_empty
 from ecm_extract.link.code.named_alike import is_name_of_node
@@ -63,9 +63,15 @@ class HeldFolder:
         states = self._states(ways, env)
         found: list[Value] = []
         for helds in states:
-            values = [value for held in helds for value in self.values(held, env)]
-            found += alternatives(values) if len(helds) > 1 else values
+            if len(helds) > 1:
+                found += alternatives(value for held in helds for value in self._one_of(held, env))
+            else:
+                found += self.values(helds[0], env) if helds else ()
         return alternatives(found) if len(states) > 1 else tuple(found)
+
+    def _one_of(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """What a variable holds that may hold something else: only where it was given this, which a test decided."""
+        return self.folder.excluded.without(self.values(held, env), held.env)
 
     def _states(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[tuple[Held, ...]]:
         """What a variable holds in states of which it holds something different, where reading it does not raise."""
@@ -226,12 +232,12 @@ class HeldFolder:
         return self.folder.combined(options, with_character, _label(held.name))
 
     def _handed(self, held: Held, env: Env, python: bool) -> tuple[Value, ...]:
-        """Whoever gets a text in Python cannot change it; in C++ somebody outside the tree may, or may fill it."""
+        """Whoever gets a text in Python cannot change it; in C++ somebody outside may, or fill an empty one."""
         values = self._before(held, env)
         if python:
             return values
-        made = any(before.how == "made" for before in all_ways(held.before))
-        return (unknown(_label(held.name)),) if made else lowered(values, "one_of")
+        filled = any(not value.text for value in values)
+        return (unknown(_label(held.name)),) if filled else lowered(values, "one_of")
 
     def _written(self, held: Held, env: Env) -> tuple[Value, ...]:
         if env.func.file.language == "python" and "." not in held.name:  # whose functions give variables no other texts

@@ -90,7 +90,7 @@ class OperatorFolder:
         return tuple([_streamed(value) for value in values])
 
     def _conditional(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        holds, likely = self.folder.flow.verdict(expr.operands[0], env)
+        holds, likely = self.folder.flow.truths.verdict(expr.operands[0], env)
         if holds is not None:
             return demoted(self.folder.fold(expr.operands[1 if holds else 2], env))
         if likely is not None:

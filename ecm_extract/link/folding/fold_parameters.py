@@ -12,7 +12,7 @@ from ecm_extract.link.code.units import Cls, File
 from ecm_extract.link.folding import formats
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.parameter_reads import ParameterRead
-from ecm_extract.link.running.values import Value, alternatives, lowered, set_by, setting, unknown
+from ecm_extract.link.running.values import Value, alternatives, lowered, set_by, setting_of, unknown
 from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ class ParameterFolder:
         if values and (values[0].text or len(values) > 1):
             return values
         empty = "" if values and values[0].data is None else None
-        return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}"), empty),)
+        return (setting_of(name, empty),)
 
 
 def value_of_parameter(call: Invocation) -> Expr:

@@ -60,7 +60,8 @@ class ReturnFolder:
         found = self.returned(callee, call, env)
         if not found or len(found) > MAX_RETURNS:
             return (unknown(call.last),)
-        values = [value for expr, place in found for value in self.folder.fold(expr, place)]
+        excluded = self.folder.excluded
+        values = [value for expr, at in found for value in excluded.without(self.folder.fold(expr, at), at)]
         if call.receiver is not None and not is_own(call.receiver):
             values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
             if self._made(callee, call, env) is None:

@@ -48,7 +48,7 @@ class Iterators:
         if run is None or run.cut:
             return None
         live = [(at, state) for at, state in run.yields if self.folder.flow.decisions.is_live(state.route)]
-        if any(self.folder.flow.decisions.turns(state) for _, state in live):
+        if any(self.folder.flow.decisions.turns(state.path) for _, state in live):
             return None
         parts = [self._part(callee.fact.body[at], place.within(state, at)) for at, state in live]
         known = [part for part in parts if part is not None]

@@ -12,7 +12,7 @@ from ecm_extract.infer.places import as_written
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.containers import PAIR, makes_tuple
 from ecm_extract.link.code.member_paths import lies_deep
-from ecm_extract.link.code.overloads import best
+from ecm_extract.link.code.overloads import best, scored
 from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
@@ -99,7 +99,7 @@ class StructureFolder:
         if bound is None or not isinstance(call, Items | Call) or cls is None or not cls.constructors:
             return []
         made = construction_of(cls, call, bound.env)
-        makers = ((maker, bind(maker, made, bound.env)) for maker in best(made, cls.constructors))
+        makers = ((maker, bind(maker, made, bound.env)) for maker in best(made, scored(made, cls.constructors)))
         return [Env(maker, this=cls, made=Instance(cls, args, {}, maker)) for maker, args in makers]
 
     def _class_made(self, made: Items | Call, base: Expr, place: Env, env: Env) -> Cls | None:
@@ -311,7 +311,7 @@ class StructureFolder:
             return None
         cls = self._class_made(whole.expr, expr.base, whole.env, env)
         made = construction_of(cls, whole.expr, whole.env) if cls is not None else None
-        makers = best(made, cls.constructors) if cls is not None and made is not None else []
+        makers = best(made, scored(made, cls.constructors)) if cls is not None and made is not None else []
         if cls is None or made is None or len(makers) != 1:
             return None
         args = bind(makers[0], made, whole.env)

@@ -6,7 +6,7 @@ of the tree handles anything is its block, as it stands.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Call, Constant, Expr, Member
@@ -15,6 +15,7 @@ from msgspec.structs import replace
 
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import dotted
+from ecm_extract.link.index.bases_outside import bases_outside
 
 if TYPE_CHECKING:
     from ecm_extract.link.index.program import Program
@@ -79,25 +80,31 @@ class _Contexts:
                 each.value for each in func.fact.body if each.target == context and isinstance(each.value, Call)
             )
 
+    def _by_class(self, cls: Cls) -> tuple[str, ...] | None:
+        """What objects of a class handle: nobody knows where a base outside does what is done when a block is left."""
+        methods = (each for entry in self.program.ancestry(cls) for each in entry.methods)
+        leaving = next((each for each in methods if each.fact.name in _LEAVING), None)
+        if leaving is not None:
+            return _by_method(leaving)
+        return _SOME if any(bases_outside(cls, self.program)) else None
+
     def _handled(self, call: Call) -> tuple[str, ...] | None:
         """The types of exceptions that a context handles, none for all; None where it lets all pass by."""
         name, file, scope = (dotted(call.callee) or "").replace(".", "::"), self.func.file, self.func.scope
         cls = self.program.class_named(name, file, scope)
         if cls is not None:
-            return _by_class(self.program.ancestry(cls))
+            return self._by_class(cls)
         methods = self.func.cls.methods if self.func.cls is not None else ()
         own = [each for each in methods if call.callee == Member(THIS, each.fact.name)]
         return _SOME if any(map(_handles_around, own or self.program.functions_named(name, file, scope))) else None
 
 
-def _by_class(lineage: Iterable[Cls]) -> tuple[str, ...] | None:
-    """What objects of a class do when their block is left by an exception: they handle it where they return true."""
-    methods = (each for cls in lineage for each in cls.methods if each.fact.name in _LEAVING)
-    leaving = next(methods, None)
-    values = [each.value for each in leaving.fact.body if each.kind == "return"] if leaving is not None else []
+def _by_method(leaving: Func) -> tuple[str, ...] | None:
+    """What a method does that is called where a block is left by an exception: it handles it where it returns true."""
+    values = [each.value for each in leaving.fact.body if each.kind == "return"]
     if all(value in _FALSE for value in values):
         return None
-    alone = all(value == Constant("true") for value in values) and leaving is not None and not leaving.fact.flow
+    alone = all(value == Constant("true") for value in values) and not leaving.fact.flow
     return () if alone else _SOME
 
 

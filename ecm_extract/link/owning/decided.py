@@ -40,7 +40,7 @@ class Decided:
         if not given or env.func is not site.root:
             return False
         flow = self.sites.folder.flow
-        turns = [turn for state in flow.reached(env) for turn in flow.decisions.turns(state)]
+        turns = [turn for state in flow.reached(env) for turn in flow.decisions.turns(state.path)]
         return any(turn.test is not None and given & set(_names(turn.test)) for turn in turns)
 
     def _is_open(self, site: Site) -> bool:

@@ -122,9 +122,9 @@ class Decisions:
             return states
         return [state for state in states if self.is_live(state.route)] or states
 
-    def turns(self, state: State) -> tuple[Turn, ...]:
-        """Return the branches on the way to a state that nobody can decide, by the side that was taken."""
-        return tuple(turn for turn in state.path if turn.gate is None or self.of(turn.gate).holds is None)
+    def turns(self, path: Sequence[Turn]) -> tuple[Turn, ...]:
+        """Return the branches of a path that nobody can decide, by the side that was taken."""
+        return tuple(turn for turn in path if turn.gate is None or self.of(turn.gate).holds is None)
 
     def likely(self, states: Sequence[State]) -> Sequence[State]:
         """Return the states that a run may be in as long as nobody sets a parameter; all where it is in none."""

@@ -9,8 +9,9 @@ from collections.abc import Mapping, Set
 from functools import cache
 from typing import TYPE_CHECKING
 
-from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.index.bases_outside import bases_outside
 from ecm_extract.link.running.env import Env
 from ecm_extract.shipped import shipped
 
@@ -60,8 +61,4 @@ class FirstMethods:
 
     def _hosts(self, cls: Cls) -> Set[str]:
         """The names of the bases outside of the tree."""
-        program = self.folder.program
-        bases = ((plain(base), entry) for entry in program.ancestry(cls) for base in entry.fact.bases)
-        return {
-            last_name(base) for base, entry in bases if program.class_named(base, entry.file, entry.fact.scope) is None
-        }
+        return set(map(last_name, bases_outside(cls, self.folder.program)))

@@ -51,8 +51,8 @@ class Flow:
         self._outlines: dict[Func, Outline] = {}
         self._own = OwnCalls(folder)
         self.exceptions = Exceptions(folder.program)
-        self._truths = Truths(folder, self.outline)
-        self.decisions = Decisions(folder, self._truths)
+        self.truths = Truths(folder, self.outline)
+        self.decisions = Decisions(folder, self.truths)
 
     @property
     def lasting(self) -> LastingStates:
@@ -254,11 +254,7 @@ class Flow:
 
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
-        return self._truths.holds(test, env)
-
-    def verdict(self, test: Expr, env: Env) -> Verdict:
-        """Tell whether a condition holds, and whether it likely does."""
-        return self._truths.verdict(test, env)
+        return self.truths.holds(test, env)
 
     def decided(self, fork: Fork) -> Verdict:
         """Tell whether what a branch asks holds, or something raises, and whether it likely does."""
@@ -266,7 +262,7 @@ class Flow:
 
     def alike(self, one: Expr, other: Expr, env: Env, likely: bool = False) -> bool | None:
         """Tell whether two expressions (likely) have the same value; None when that is not decided."""
-        return self._truths.alike(one, other, env, likely)
+        return self.truths.alike(one, other, env, likely)
 
     def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
         """Return what a loop is over, each element once; None when not all of it is known."""

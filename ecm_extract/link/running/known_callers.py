@@ -10,9 +10,10 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Opaque, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import children, given_to
+from ecm_extract.link.index.bases_outside import bases_outside
 from ecm_extract.link.running.env import Env
 from ecm_extract.shipped import shipped
 
@@ -85,13 +86,8 @@ class KnownCallers:
 
     def may_be_called_outside(self, name: str, cls: Cls) -> bool:
         """Tell whether a base outside of the tree may call a method of a class."""
-        for entry in self.folder.program.ancestry(cls):
-            for base in entry.fact.bases:
-                if self.folder.program.class_named(plain(base), entry.file, entry.fact.scope) is None:
-                    known = _hosts().get(last_name(plain(base)))
-                    if known is None or name in known:
-                        return True
-        return False
+        known = (_hosts().get(last_name(base)) for base in bases_outside(cls, self.folder.program))
+        return any(called is None or name in called for called in known)
 
     def is_handed(self, func: Func) -> bool:
         """Tell whether a file that sees the method mentions its name without calling it."""

@@ -15,7 +15,7 @@ from ecm_extract.link.code.containers import (
     element_type,
     is_container,
 )
-from ecm_extract.link.code.overloads import best, fitting, is_countable
+from ecm_extract.link.code.overloads import best, fitting, is_countable, scored
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.pointed import pointed as pointed_class
 from ecm_extract.link.code.spelling import by_value, is_pointer, last_name, plain, pointee, template_arguments
@@ -280,7 +280,7 @@ class Objects:
         if len(makers) < 2:
             return makers[0] if makers else None
         count = len(call.args)
-        fitting = best(call, makers) or [func for func in makers if len(func.params) >= count] or makers
+        fitting = best(call, scored(call, makers)) or [func for func in makers if len(func.params) >= count] or makers
         return min(fitting, key=lambda f: (abs(len(f.params) - count), "declaration" in f.fact.traits), default=None)
 
     # --- functions -------------------------------------------------------------------------------------

@@ -67,6 +67,11 @@ class Truths:
         values = self.folder.fold(expr, env)
         return all(value.open("param") or value.open("made") or value.open("node") for value in values)
 
+    def may_know(self, test: Expr, env: Env) -> bool:
+        """Tell whether all that a condition asks for is followed, and anything tells what it is."""
+        asks = not isinstance(test, Opaque) and not self._is_exposed(test, env.func)
+        return asks and not self.folder.untold.has(test, env.func, env.at)
+
     def _judged(self, test: Expr, env: Env) -> Verdict:
         if isinstance(test, Opaque):
             return OPEN

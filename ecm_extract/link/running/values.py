@@ -177,6 +177,11 @@ def setting(label: str, default: str | None = None) -> Value:
     return Value((Hole(_label(label), "setting", default),), "pattern")
 
 
+def setting_of(name: str, default: str | None = None) -> Value:
+    """The same of a parameter by its full name."""
+    return setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}"), default)
+
+
 def is_setting(value: Value) -> bool:
     """Tell whether a value is no more than what somebody sets."""
     return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "setting"
