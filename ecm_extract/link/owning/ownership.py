@@ -111,11 +111,12 @@ class Ownership:
         return not self.sites.calls.get(name) and not self.modules.references.hands(name)
 
     def _is_only_offered(self, site: Site) -> bool:
-        """A helper that nobody calls or hands over declares nothing in the modules that could call it."""
+        """A helper that nobody calls declares nothing in the modules that could; one that is handed over runs."""
         root = site.root
         if root.is_constructor or overrides(root) or site.form.fixed or site.form.items:
             return False
-        if self.sites.is_given(root) or self.modules.references.hands(root.fact.name):
+        given = self.sites.is_given(root) or self.modules.references.hands(root.fact.name)
+        if given and not self.sites.callers(root):
             return False
         values = self.sites.names(site)
         return any(_is_passed(value, root) for value in values)
