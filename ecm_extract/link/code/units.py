@@ -70,6 +70,11 @@ class Func:
     _callables: Callables | None = None
     _specialized: tuple[str, ...] | None = None
 
+    def read_as(self, fact: Function) -> None:
+        """Have other facts from now on, and forget what was asked of those before."""
+        self.fact = fact
+        self._params = self._arity = self._calls = self._defaults = self._written_types = self._callables = None
+
     def siblings(self) -> Iterator[Func]:
         """The declarations and definitions of that name in its class or namespace, itself included."""
         if self.cls is not None:
