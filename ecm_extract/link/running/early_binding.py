@@ -27,7 +27,8 @@ class Methods(Protocol):
 def early_bound(call: Invocation, env: Env, known: Methods) -> Sequence[Func]:
     """Return the methods of the class that writes a call: in a constructor, or as they are not virtual; else none."""
     found = known.methods(call, env.func.cls) if _is_own(call, env) else ()
-    is_bound = env.func.is_constructor or not any(is_virtual(each, known.program) for each in found)
+    begins = env.func.is_constructor and not call.statement.deferred  # a lambda of it runs later
+    is_bound = begins or not any(is_virtual(each, known.program) for each in found)
     return found if is_bound else ()
 
 

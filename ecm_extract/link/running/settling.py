@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from ecm_extract.link.index.contexts import settle_contexts
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.bound_methods import settle_bound_methods
 from ecm_extract.link.running.members_of_bases import settle_members_of_bases
+from ecm_extract.link.running.objects import Objects
+from ecm_extract.link.running.scope import Scope
 
 
 def settle(program: Program) -> None:
-    """Read members that objects have by several classes, and contexts that may handle exceptions, as the tree says."""
+    """Read members of several classes, calls by pointers to methods, and contexts, as the tree says."""
     settle_members_of_bases(program)
+    settle_bound_methods(Objects(program, Scope(program)))
     settle_contexts(program)

@@ -130,7 +130,7 @@ def _called(function: Expr, args: tuple[Expr, ...], line: int) -> Call | None:
         return None
     owner = _object(args[0]) if is_address and "::" in pointed.id else None
     given = args if owner is None else args[1:]
-    callee = pointed if owner is None else Member(owner, pointed.id.rpartition("::")[2])
+    callee = pointed if owner is None else Op("->*", (owner, pointed))
     return Call(callee, given, (), (), line) if not all(map(_is_placeholder, given)) else None
 
 
