@@ -117,7 +117,7 @@ class FileScope:
             if statement.kind != "set" or not isinstance(statement.target, Name) or statement.value is None:
                 continue
             name = statement.target.id.rsplit("::", 1)[-1]
-            if name in self.program.constants and not self._hides(func, name):
+            if name in self.program.constants and not self._hides(func, statement.target.id):
                 found.append((name, Definition(func, at)))
         return found
 

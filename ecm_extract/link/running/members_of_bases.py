@@ -2,13 +2,15 @@
 
 Source: [class.member.lookup] of the C++ standard: a name means the member of the nearest class, as the methods of a
 class, the type of an object and a name that is written with its class (`A::topic`) tell. That of the class which
-derives from the others keeps its name; `topic` of its base `A` is `topic@A` wherever it is meant.
+derives from the others keeps its name; `topic` of its base `A` is `topic@A` wherever it is meant. A member that all
+objects have in common ([class.static]) is the variable `A::topic`, by whatever object it is written.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Set
+from functools import cached_property
 from typing import Any, Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
@@ -67,13 +69,27 @@ class _Members:
 
     def functions(self) -> Iterator[Func]:
         """Yield the functions that name a member which is called otherwise, or write one with its class."""
-        names = {name for each in self.renamed.values() for name in each}
+        names = {name for each in self.renamed.values() for name in each} | self._written
         for file in (file for file in self.program.files if file.language == "cpp"):
             lines = set(self._lines(file))
             for func in self.program.functions_in(file):
                 written = any(func.fact.line <= line <= func.fact.end_line for line in lines)
                 if written or (names and not names.isdisjoint(_named(func))):
                     yield func
+
+    @cached_property
+    def _written(self) -> Set[str]:
+        """The last names of members that a function changes by an object, or by the name of a class."""
+        funcs = (func for func in self.program.every_function() if func.file.language == "cpp")
+        return {name for func in funcs for name in _changed_by_others(func) if name in self.program.constants}
+
+    def variable(self, name: str, cls: Cls) -> Name | None:
+        """Return the variable that a member is which all objects of a class have in common; None of other members."""
+        traits = cls.fields[name].traits
+        if name not in self._written or "static" not in traits or cls.fact.template or "const" in traits:
+            return None
+        written = f"{cls.qualified}{_MARK}{name}"
+        return Name(written) if self.program.constant_named(written, cls.file) is not None else None
 
     def _lines(self, file: File) -> Iterator[int]:
         """Where a file writes what may be a member of a class with that class."""
@@ -95,8 +111,7 @@ class _Members:
     def owner(self, name: str, cls: Cls | None) -> Cls | None:
         """Return the class whose member a name of an object means; None of other names."""
         lineage = self.program.ancestry(cls) if cls is not None else ()
-        owner = next((each for each in lineage if name in each.fields), None)
-        return owner if owner is not None and name in _own(owner) else None
+        return next((each for each in lineage if name in each.fields), None)
 
     def is_once(self, cls: Cls) -> bool:
         """Whether no object may have two parts by a class, of which the one by another class is meant."""
@@ -130,7 +145,9 @@ class _Read:
         base = part.base if isinstance(part, Member) else THIS
         cls = self._class_named(named) if named else self._class_of(part)
         owner = self.members.owner(name, cls)
-        if owner is None or (named and owner is not cls and not self.members.is_once(owner)):
+        if owner is None or name not in _own(owner):
+            return self.members.variable(name, owner) if owner is not None else None
+        if named and owner is not cls and not self.members.is_once(owner):
             return None
         called = self._called(name, owner)
         return Member(rewritten(base, self.meant), called) if named or called != name else None
@@ -158,6 +175,16 @@ class _Read:
         around = self.members.objects.scope.nesting.around
         held = (self.func, *around(self.func)) if self.func is not None else ()
         return any(name in own_names(func.fact, python=False) for func in held)
+
+
+def _changed_by_others(func: Func) -> Iterator[str]:
+    """The last names of what a function gives something, or calls a method of, by an object or the name of a class."""
+    called = (call.callee.base for group in func.calls for call in group if isinstance(call.callee, Member))
+    for changed in (*(entry.target for entry in func.fact.body if entry.kind == "set"), *called):
+        if (isinstance(changed, Member) and changed.base != THIS) or (
+            isinstance(changed, Name) and _MARK in changed.id
+        ):
+            yield last_of(changed)
 
 
 def _named(func: Func) -> Iterable[str]:
