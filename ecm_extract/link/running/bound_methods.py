@@ -10,11 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.cpp_invoking import PERHAPS, makes_element, runs_function
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Number, Op
 from ecm_parsers.source.rewriting import rewritten
 from msgspec.structs import replace
 
-from ecm_extract.link.code.spelling import last_name
+from ecm_extract.infer.pointing import is_address
+from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.early_binding import is_virtual
@@ -36,8 +38,9 @@ def _functions(program: Program) -> Iterator[Func]:
     methods = {func.fact.name for func in program.every_function() if func.cls is not None}
     for file in (file for file in program.files if file.language == "cpp"):
         lines = {each.line for each in file.facts.mentions if each.arguments < 0 and last_name(each.name) in methods}
-        for func in program.functions_in(file) if lines else ():
-            if any(func.fact.line <= line <= func.fact.end_line for line in lines):
+        for func in program.functions_in(file):
+            written = any(func.fact.line <= line <= func.fact.end_line for line in lines)
+            if written or any(call.callee == PERHAPS for group in func.calls for call in group):
                 yield func
 
 
@@ -54,6 +57,10 @@ class _Bound:
         if not isinstance(part, Call):
             return None
         callee, args = part.callee, part.args
+        if callee == PERHAPS:
+            return rewritten(args[1], self.meant) if self._runner(args[0]) else Items(args[2:])
+        if made := self._thread(part):
+            return made
         if isinstance(callee, Op) and callee.op == POINTED:
             object_, named = callee.operands
         elif isinstance(callee, Name) and "::" in callee.id and args and self._needs_object(callee.id, len(args)):
@@ -61,6 +68,23 @@ class _Bound:
         else:
             return None
         return replace(part, callee=self._method(object_, named), args=rewritten(args, self.meant))
+
+    def _runner(self, made: Expr) -> str:
+        """The type of an object that runs the function which it is made with; empty of others."""
+        written = self.objects.type_of(made, Env(self.func, len(self.func.fact.body)))
+        meant = self.program.alias(plain(written), self.func.file, self.func.scope) if written else None
+        return next(filter(runs_function, (written, meant or "")), "")
+
+    def _thread(self, call: Call) -> Call | None:
+        """A call that begins such an object, of a container or of the object at hand, with the object as it is made."""
+        callee, args = call.callee, call.args
+        if len(args) < 2 or not is_address(args[0]):
+            return None
+        if isinstance(callee, Member) and makes_element(callee):
+            made = self._runner(Op("[]", (callee.base, Number(0))))
+            return replace(call, args=(Call(Name(made), args, (), (), call.line),)) if made else None
+        made = self._runner(Member(THIS, callee.id)) if isinstance(callee, Name) and "::" not in callee.id else ""
+        return replace(call, callee=Name(made)) if made else None
 
     def _method(self, object_: Expr, named: Expr) -> Member:
         path = named.id if isinstance(named, Name) else ""

@@ -18,6 +18,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.rewriting import rewritten
 from msgspec.structs import replace
 
+from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import own_names
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions, last_of
@@ -179,7 +180,10 @@ class _Read:
 
 def _changed_by_others(func: Func) -> Iterator[str]:
     """The last names of what a function gives something, or calls a method of, by an object or the name of a class."""
-    called = (call.callee.base for group in func.calls for call in group if isinstance(call.callee, Member))
+    callees = [call.callee for group in func.calls for call in group if isinstance(call.callee, Member)]
+    bare = (callee.base for callee in callees if callee.name in calls_of("cpp").changing)
+    yield from (changed.id for changed in bare if isinstance(changed, Name))
+    called = (callee.base for callee in callees)
     for changed in (*(entry.target for entry in func.fact.body if entry.kind == "set"), *called):
         if (isinstance(changed, Member) and changed.base != THIS) or (
             isinstance(changed, Name) and _MARK in changed.id
