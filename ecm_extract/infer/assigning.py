@@ -18,12 +18,15 @@ from ecm_extract.infer.run import Frame
 from ecm_extract.infer.unpacking import taken, unstarred
 from ecm_extract.link.code.containers import makes_tuple
 from ecm_extract.link.code.numbers import NUMBERS
-from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.pointed import pointed
+from ecm_extract.link.code.spelling import by_value, last_name, plain
 from ecm_extract.link.code.walk import calls_in, children
 
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Bound, Env
 
+MAX_MOVED: Final = 4
+"""Statements behind one that moves from variables, in which they are left without a value."""
 _REFERRING: Final = Name("std::ref")
 """en.cppreference.com, std::ref: who has what it gives may change what it is given."""
 _TIE: Final = "tie"
@@ -53,7 +56,7 @@ class Assigning:
             return self.bind(target, Held("lost", "", None, env, at), state)
         state = self._placed(value, state)
         self._refer_through(target, value, env)
-        self._refer_by_pointer(statement, state)
+        self._refer_by_pointer(statement, at, state)
         state = self.bind(target, Held("value", "", value, env, at), state)
         return self._from_before(target, state) if statement.kept else state
 
@@ -134,7 +137,7 @@ class Assigning:
             for part in parts:
                 self.memory.sharing.refer(part, root)
 
-    def _refer_by_pointer(self, let: Statement, state: State) -> None:
+    def _refer_by_pointer(self, let: Statement, at: int, state: State) -> None:
         """`auto b = a;` of a pointer: what one points to, the other does, of raw ones whoever made the object."""
         key, other = self.frame.effects.key(let.target), self.frame.effects.key(let.value)
         if self.frame.python or let.kind not in {"let", "set"} or not key or not other or isinstance(let.value, Op):
@@ -145,8 +148,21 @@ class Assigning:
         once = all(self.frame.outline.changes.get(each, 0) <= 1 for each in (key, other))
         if once and (made or raw):
             self.memory.sharing.refer(key, other, other)
-        elif raw:
+        elif raw or (self._points(other) and not self._is_moved(let, at)):
             self.memory.sharing.refer(key, other)
+
+    def _points(self, key: str) -> bool:
+        """Whether a variable of C++ is a pointer, by its type or by what it is made with."""
+        func = self.frame.env.func
+        written = func.written_types.get(key, "")
+        made = (entry.value for entry in func.fact.body if entry.kind == "let" and entry.target == Name(key))
+        points = plain(written) not in {"", "auto"} and not by_value(written) and not written.endswith("&")
+        return points or any(is_address(value) or (value is not None and pointed(value) != "") for value in made)
+
+    def _is_moved(self, let: Statement, at: int) -> bool:
+        """Whether a statement moves from what it gives, which has nothing in common with that from then on."""
+        behind = self.frame.env.func.fact.body[at + 1 : at + 1 + MAX_MOVED]
+        return any(entry.target == let.value and entry.value == MOVED for entry in behind)
 
     def bind(self, target: Expr | None, held: Held, state: State) -> State:
         """Give a variable, a field, an element or several variables what a statement gives them."""

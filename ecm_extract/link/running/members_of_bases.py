@@ -20,6 +20,7 @@ from msgspec.structs import replace
 
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import own_names
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions, last_of
 from ecm_extract.link.index.program import Program
@@ -80,9 +81,11 @@ class _Members:
 
     @cached_property
     def _written(self) -> Set[str]:
-        """The last names of members that a function changes by an object, or by the name of a class."""
-        funcs = (func for func in self.program.every_function() if func.file.language == "cpp")
-        return {name for func in funcs for name in _changed_by_others(func) if name in self.program.constants}
+        """The last names of members that a function changes by an object, or that one has by the name of a class."""
+        funcs = [func for func in self.program.every_function() if func.file.language == "cpp"]
+        changed = {name for func in funcs for name in _changed_by_others(func)}
+        named = {name for file in self.program.files if file.language == "cpp" for name in _named_by_class(file)}
+        return (changed | named) & self.program.constants.keys()
 
     def variable(self, name: str, cls: Cls) -> Name | None:
         """Return the variable that a member is which all objects of a class have in common; None of other members."""
@@ -176,6 +179,15 @@ class _Read:
         around = self.members.objects.scope.nesting.around
         held = (self.func, *around(self.func)) if self.func is not None else ()
         return any(name in own_names(func.fact, python=False) for func in held)
+
+
+def _named_by_class(file: File) -> Iterator[str]:
+    """The last names of what a file writes with a class, but for where it defines that."""
+    defined = {(each.name, each.line) for each in file.facts.constants}
+    for mention in (each for each in file.facts.mentions if each.arguments < 0):
+        name = last_name(mention.name)
+        if (name, mention.line) not in defined:
+            yield name
 
 
 def _changed_by_others(func: Func) -> Iterator[str]:
