@@ -20,7 +20,7 @@ from ecm_extract.link.code.containers import makes_tuple
 from ecm_extract.link.code.numbers import NUMBERS
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import by_value, last_name, plain
-from ecm_extract.link.code.walk import calls_in, children
+from ecm_extract.link.code.walk import calls_in, children, names_in
 
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Bound, Env
@@ -58,7 +58,7 @@ class Assigning:
         self._refer_through(target, value, env)
         self._refer_by_pointer(statement, at, state)
         state = self.bind(target, Held("value", "", value, env, at), state)
-        return self._from_before(target, state) if statement.kept else state
+        return self._from_before(statement, state) if statement.kept else state
 
     def _declared(self, target: Expr | None, state: State) -> State:
         """The state in which C++ has new variables, whatever others of their names held."""
@@ -71,14 +71,19 @@ class Assigning:
         written = self.frame.env.func.written_types.get(self.frame.effects.key(target), "")
         return written.endswith("*") or "const" in written.split() or plain(written) in NUMBERS
 
-    def _from_before(self, target: Expr | None, state: State) -> State:
-        """A variable that is kept between calls: what it begins with, or what a call before has left it with."""
-        key = self.frame.effects.key(target)
+    def _from_before(self, let: Statement, state: State) -> State:
+        """A variable that is kept between calls: what it begins with, or what a call before has left it with.
+
+        What it begins with is of the first call, and of the first round of a loop.
+        """
+        key = self.frame.effects.key(let.target)
         entered = self.frame.judge.lasting.entered(key, self.frame.env)
         if entered is not None:
             return state.having({key: entered})
         given_out = "reference" in self.frame.env.func.fact.traits
-        if not given_out and (self.frame.outline.changes.get(key, 0) <= 1 or self._runs_once()):
+        begun = any(name in self.frame.effects.own for name in names_in(let.value))
+        is_same = self.frame.outline.changes.get(key, 0) <= 1 and not begun
+        if not given_out and (is_same or (self._runs_once() and not let.depth)):
             return state
         return state.having({key: (*state.holds[key], Held("lost", key))})
 

@@ -13,8 +13,8 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 from functools import cached_property
 from typing import Any, Final
 
-from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
-from ecm_parsers.source.facts import Statement
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Opaque
+from ecm_parsers.source.facts import OVERLAID, Statement
 from ecm_parsers.source.rewriting import rewritten
 from msgspec.structs import replace
 
@@ -71,13 +71,17 @@ class _Members:
 
     def functions(self) -> Iterator[Func]:
         """Yield the functions that name a member which is called otherwise, or write one with its class."""
-        names = {name for each in self.renamed.values() for name in each} | self._written
+        names = {name for each in self.renamed.values() for name in each} | self._written | set(self._overlaid())
         for file in (file for file in self.program.files if file.language == "cpp"):
             lines = set(self._lines(file))
             for func in self.program.functions_in(file):
                 written = any(func.fact.line <= line <= func.fact.end_line for line in lines)
                 if written or (names and not names.isdisjoint(_named(func))):
                     yield func
+
+    def _overlaid(self) -> Iterator[str]:
+        for cls in (cls for group in self.program.classes.values() for cls in group):
+            yield from (name for name, field in cls.fields.items() if OVERLAID in field.traits)
 
     @cached_property
     def _written(self) -> Set[str]:
@@ -151,6 +155,8 @@ class _Read:
         owner = self.members.owner(name, cls)
         if owner is None or name not in _own(owner):
             return self.members.variable(name, owner) if owner is not None else None
+        if OVERLAID in owner.fields[name].traits:
+            return Opaque(name)
         if named and owner is not cls and not self.members.is_once(owner):
             return None
         called = self._called(name, owner)

@@ -6,7 +6,7 @@ Scopes and owners are written with `::` in both languages (`ns::Class`, Python `
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 
@@ -89,6 +89,10 @@ class Function(_Fact, frozen=True):
     flow: Block = ()
     shared: tuple[str, ...] = ()
     specializes: tuple[str, ...] | None = None
+
+
+OVERLAID: Final = "overlaid"
+"""Trait of a field of C++ that may hold something else than it is given: of a union, or some bits of a number."""
 
 
 class Field(_Fact, frozen=True):
