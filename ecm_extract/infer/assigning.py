@@ -47,7 +47,7 @@ class Assigning:
             state = self._declared(target, state)
         if statement.kind == "let" and value is None:
             return self.bind(target, Held("made", "", None, env, at), state)
-        if statement.kind == "let" and statement.type.endswith("&"):
+        if statement.kind == "let" and (statement.type.endswith("&") or "reference_wrapper<" in statement.type):
             return self._refer(target, value, at, env, state)
         if value == MOVED and self._is_copied(target):
             return state
@@ -120,7 +120,17 @@ class Assigning:
         if key in self.memory.escaped:  # who changes it any time changes what it refers to
             self.memory.escaped.add(self.frame.effects.root(value))
             state = self.memory.lost(state, {self.frame.effects.root(value)})
-        return self.memory.hold(key, Held("value", key, value, env, at), self.memory.parts_lost(key, state))
+        held = Held("lost" if self._changes_behind(value, at) else "value", key, value, env, at)
+        return self.memory.hold(key, held, self.memory.parts_lost(key, state))
+
+    def _changes_behind(self, value: Expr | None, at: int) -> bool:
+        """Whether a function gives a reference, perhaps to a variable that it gets and that is changed somewhere."""
+        if not isinstance(value, Call) or self.frame.python:
+            return False
+        changes, key = self.frame.outline.changes, self.frame.effects.key
+        changed = any(isinstance(arg, Name) and changes.get(key(arg), 0) > 1 for arg in value.args)
+        target = self.frame.effects.targets.target(value, self.frame.env.func, at) if changed else None
+        return target is not None and not {"reference", "lending"}.isdisjoint(target.fact.traits)
 
     def _refer_to_parts(self, target: Items, value: Expr | None, at: int, env: Env, state: State) -> State:
         """`auto & [a, b] = pair;`: each is another name of a part of it."""
