@@ -18,12 +18,15 @@ from ecm_extract.infer.run import Frame
 from ecm_extract.infer.unpacking import taken, unstarred
 from ecm_extract.link.code.containers import makes_tuple
 from ecm_extract.link.code.numbers import NUMBERS
-from ecm_extract.link.code.spelling import last_name, plain
-from ecm_extract.link.code.walk import calls_in, children
+from ecm_extract.link.code.pointed import pointed
+from ecm_extract.link.code.spelling import by_value, last_name, plain
+from ecm_extract.link.code.walk import calls_in, children, names_in
 
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Bound, Env
 
+MAX_MOVED: Final = 4
+"""Statements behind one that moves from variables, in which they are left without a value."""
 _REFERRING: Final = Name("std::ref")
 """en.cppreference.com, std::ref: who has what it gives may change what it is given."""
 _TIE: Final = "tie"
@@ -44,7 +47,7 @@ class Assigning:
             state = self._declared(target, state)
         if statement.kind == "let" and value is None:
             return self.bind(target, Held("made", "", None, env, at), state)
-        if statement.kind == "let" and statement.type.endswith("&"):
+        if statement.kind == "let" and (statement.type.endswith("&") or "reference_wrapper<" in statement.type):
             return self._refer(target, value, at, env, state)
         if value == MOVED and self._is_copied(target):
             return state
@@ -53,9 +56,9 @@ class Assigning:
             return self.bind(target, Held("lost", "", None, env, at), state)
         state = self._placed(value, state)
         self._refer_through(target, value, env)
-        self._refer_by_pointer(statement, state)
+        self._refer_by_pointer(statement, at, state)
         state = self.bind(target, Held("value", "", value, env, at), state)
-        return self._from_before(target, state) if statement.kept else state
+        return self._from_before(statement, state) if statement.kept else state
 
     def _declared(self, target: Expr | None, state: State) -> State:
         """The state in which C++ has new variables, whatever others of their names held."""
@@ -68,14 +71,19 @@ class Assigning:
         written = self.frame.env.func.written_types.get(self.frame.effects.key(target), "")
         return written.endswith("*") or "const" in written.split() or plain(written) in NUMBERS
 
-    def _from_before(self, target: Expr | None, state: State) -> State:
-        """A variable that is kept between calls: what it begins with, or what a call before has left it with."""
-        key = self.frame.effects.key(target)
+    def _from_before(self, let: Statement, state: State) -> State:
+        """A variable that is kept between calls: what it begins with, or what a call before has left it with.
+
+        What it begins with is of the first call, and of the first round of a loop.
+        """
+        key = self.frame.effects.key(let.target)
         entered = self.frame.judge.lasting.entered(key, self.frame.env)
         if entered is not None:
             return state.having({key: entered})
         given_out = "reference" in self.frame.env.func.fact.traits
-        if not given_out and (self.frame.outline.changes.get(key, 0) <= 1 or self._runs_once()):
+        begun = any(name in self.frame.effects.own for name in names_in(let.value))
+        is_same = self.frame.outline.changes.get(key, 0) <= 1 and not begun
+        if not given_out and (is_same or (self._runs_once() and not let.depth)):
             return state
         return state.having({key: (*state.holds[key], Held("lost", key))})
 
@@ -112,7 +120,17 @@ class Assigning:
         if key in self.memory.escaped:  # who changes it any time changes what it refers to
             self.memory.escaped.add(self.frame.effects.root(value))
             state = self.memory.lost(state, {self.frame.effects.root(value)})
-        return self.memory.hold(key, Held("value", key, value, env, at), self.memory.parts_lost(key, state))
+        held = Held("lost" if self._changes_behind(value, at) else "value", key, value, env, at)
+        return self.memory.hold(key, held, self.memory.parts_lost(key, state))
+
+    def _changes_behind(self, value: Expr | None, at: int) -> bool:
+        """Whether a function gives a reference, perhaps to a variable that it gets and that is changed somewhere."""
+        if not isinstance(value, Call) or self.frame.python:
+            return False
+        changes, key = self.frame.outline.changes, self.frame.effects.key
+        changed = any(isinstance(arg, Name) and changes.get(key(arg), 0) > 1 for arg in value.args)
+        target = self.frame.effects.targets.target(value, self.frame.env.func, at) if changed else None
+        return target is not None and not {"reference", "lending"}.isdisjoint(target.fact.traits)
 
     def _refer_to_parts(self, target: Items, value: Expr | None, at: int, env: Env, state: State) -> State:
         """`auto & [a, b] = pair;`: each is another name of a part of it."""
@@ -134,7 +152,7 @@ class Assigning:
             for part in parts:
                 self.memory.sharing.refer(part, root)
 
-    def _refer_by_pointer(self, let: Statement, state: State) -> None:
+    def _refer_by_pointer(self, let: Statement, at: int, state: State) -> None:
         """`auto b = a;` of a pointer: what one points to, the other does, of raw ones whoever made the object."""
         key, other = self.frame.effects.key(let.target), self.frame.effects.key(let.value)
         if self.frame.python or let.kind not in {"let", "set"} or not key or not other or isinstance(let.value, Op):
@@ -145,8 +163,21 @@ class Assigning:
         once = all(self.frame.outline.changes.get(each, 0) <= 1 for each in (key, other))
         if once and (made or raw):
             self.memory.sharing.refer(key, other, other)
-        elif raw:
+        elif raw or (self._points(other) and not self._is_moved(let, at)):
             self.memory.sharing.refer(key, other)
+
+    def _points(self, key: str) -> bool:
+        """Whether a variable of C++ is a pointer, by its type or by what it is made with."""
+        func = self.frame.env.func
+        written = func.written_types.get(key, "")
+        made = (entry.value for entry in func.fact.body if entry.kind == "let" and entry.target == Name(key))
+        points = plain(written) not in {"", "auto"} and not by_value(written) and not written.endswith("&")
+        return points or any(is_address(value) or (value is not None and pointed(value) != "") for value in made)
+
+    def _is_moved(self, let: Statement, at: int) -> bool:
+        """Whether a statement moves from what it gives, which has nothing in common with that from then on."""
+        behind = self.frame.env.func.fact.body[at + 1 : at + 1 + MAX_MOVED]
+        return any(entry.target == let.value and entry.value == MOVED for entry in behind)
 
     def bind(self, target: Expr | None, held: Held, state: State) -> State:
         """Give a variable, a field, an element or several variables what a statement gives them."""

@@ -38,7 +38,6 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.placing import placed
 from ecm_extract.link.index.module_kinds import is_managed
 from ecm_extract.link.index.program import Program
-from ecm_extract.link.index.settling import settle
 from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.naming.handles import Handle, Handles
 from ecm_extract.link.naming.host_arguments import HostArguments
@@ -66,6 +65,7 @@ from ecm_extract.link.owning.registry import build_registry, plugins_of
 from ecm_extract.link.running.env import Bound
 from ecm_extract.link.running.own_names import known_beside
 from ecm_extract.link.running.scope import Scope
+from ecm_extract.link.running.settling import settle
 from ecm_extract.link.running.values import Value, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.layout import layouts

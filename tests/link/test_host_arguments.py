@@ -149,21 +149,21 @@ PLUGINLIB_EXPORT_CLASS(Short, Planner)
 """
 PURE = "virtual void load(ros::NodeHandle & nh) = 0;"
 OF_BASES = {
-    "what the base made": (PURE, "load(own_);", "~/short/path"),
-    "by this": (PURE, "this->load(own_);", "~/short/path"),
-    "two that do not agree": (PURE, "load(own_); load(other_);", "/{given}/path"),
-    "a method that hides another": ("void load(ros::NodeHandle & nh) {}", "load(own_);", "/{given}/path"),
-    "that of the base": ("virtual void load(ros::NodeHandle & nh) {}", "Planner::load(own_);", "/{given}/path"),
-    "another method": (PURE, "begin(own_);", "/{given}/path"),
+    "what the base made": (PURE, "load(own_);", {"~/short/path"}),
+    "by this": (PURE, "this->load(own_);", {"~/short/path"}),
+    "two that do not agree": (PURE, "load(own_); load(other_);", {"~/other/path", "~/short/path"}),
+    "a method that hides another": ("void load(ros::NodeHandle & nh) {}", "load(own_);", {"/{given}/path"}),
+    "that of the base": ("virtual void load(ros::NodeHandle & nh) {}", "Planner::load(own_);", {"/{given}/path"}),
+    "another method": (PURE, "begin(own_);", {"/{given}/path"}),
 }
 
 
 @pytest.mark.parametrize("case", OF_BASES.values(), ids=OF_BASES.keys())
-def test_a_base_is_the_host_of_what_derives_from_it(workspace: Any, case: tuple[str, str, str]) -> None:
+def test_a_base_is_the_host_of_what_derives_from_it(workspace: Any, case: tuple[str, str, set[str]]) -> None:
     """What a base hands to its own virtual method is what the method of the object at hand gets, names of it included."""
-    declared, calls, topic = case
-    text = TEMPLATE.format(declared=declared, calls=calls)
-    assert workspace.package({"src/short.cpp": text}, ros=1).only("publisher").name == topic
+    declared, calls, topics = case
+    found = workspace.package({"src/short.cpp": TEMPLATE.format(declared=declared, calls=calls)}, ros=1).interfaces()
+    assert {entry.name for entry in found if entry.role == "publisher"} == topics
 
 
 OF_ONE_HOST = """

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Final, NamedTuple
 
-from ecm_parsers.source.expr import Constant, Expr, Name, Number, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Text
 from ecm_parsers.source.facts import Parameter
 
 from ecm_extract.link.code.calls import Invocation
@@ -22,8 +22,12 @@ _EXACT: Final = 3
 _CONVERTED: Final = 2
 _MADE: Final = 1
 """By a constructor or a method of a class."""
+_NONE: Final = 0
+"""In no way."""
 _KINDS: Final = MappingProxyType({**NUMBERS, "bool": "bool"})
 """Types of numbers with what they hold: what a literal is beside that, its suffix says."""
+_TRUTHS: Final = frozenset({"!", "&&", "||", "==", "!=", "<", ">", "<=", ">="})
+"""Operators that give a `bool` of built-in types."""
 _CHARACTERS: Final = "char *"
 _TEXTS: Final = frozenset({"string", "string_view"})
 
@@ -72,6 +76,10 @@ def _type_given(arg: Expr, caller: Func) -> str:
         return "int" if isinstance(arg.value, int) else "double"
     if isinstance(arg, Constant):
         return "" if arg.name == "null" else "bool"
+    if isinstance(arg, Op) and arg.op in _TRUTHS:
+        return "bool"
+    if isinstance(arg, Call):
+        return _short(_returned(arg.callee, caller))
     if not isinstance(arg, Name):
         return ""
     member = caller.cls.fields.get(arg.id) if caller.cls is not None else None
@@ -80,6 +88,20 @@ def _type_given(arg: Expr, caller: Func) -> str:
     if last == "auto" and not written.endswith("&"):
         made = [each.value for each in caller.fact.body if each.target == arg and each.kind == "let"]
         return _type_given(made[0], caller) if len(made) == 1 and isinstance(made[0], Text | Number | Constant) else ""
+    return _short(written)
+
+
+def _returned(callee: Expr, caller: Func) -> str:
+    """The type that a function is declared to return, as long as all of its name return that."""
+    if not isinstance(callee, Name):
+        return ""
+    own = [each.fact.returns for each in caller.cls.methods if each.fact.name == callee.id] if caller.cls else []
+    types = set(own) or caller.file.returned(callee.id, caller.scope)
+    return next(iter(types)) if len(types) == 1 else ""
+
+
+def _short(written: str) -> str:
+    last = last_name(plain(written))
     return _CHARACTERS if last == "char" and ("*" in written or "[" in written) else "" if "*" in written else last
 
 
@@ -94,6 +116,8 @@ def _rank(given: str, parameter: Parameter, func: Func) -> int | None:
         return _EXACT if _KINDS.get(wanted) == _KINDS[given] else _CONVERTED if wanted in _KINDS else None
     if given == _CHARACTERS:
         return _CONVERTED if wanted == "bool" else _MADE if wanted in _TEXTS else None
+    if given in _TEXTS and wanted in _KINDS:
+        return _NONE
     return _EXACT if given and given == wanted else None
 
 

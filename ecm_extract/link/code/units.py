@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from math import inf
 
@@ -15,13 +15,18 @@ from ecm_extract.link.code.templates import alike, unified
 from ecm_extract.link.code.walk import calls_in
 
 
+def _nothing(name: str, scope: str) -> Set[str]:
+    return frozenset()
+
+
 @dataclass(slots=True, eq=False, repr=False)
 class File:
     """One source file: its path, the package it belongs to, its facts, where its targets look for headers.
 
     `targets` are the names of those that compile it, `all_targets` whether no others do; `is_built` is False of a
     source that none does, as far as the build is known. `inner_classes` are those of Python that stand in other
-    classes, as `Outer::Inner`, `variables` those of other modules whose methods it calls, as it writes them.
+    classes, as `Outer::Inner`, `variables` those of other modules whose methods it calls, as it writes them. `returned`
+    gives what the functions return that a name means in a scope.
     """
 
     path: str
@@ -35,6 +40,7 @@ class File:
     is_built: bool = True
     targets: tuple[str, ...] = ()
     all_targets: bool = False
+    returned: Callable[[str, str], Set[str]] = _nothing
     _callables: Mapping[str, Expr] | None = None
 
     @property
@@ -69,6 +75,11 @@ class Func:
     _written_types: Mapping[str, str] | None = None
     _callables: Callables | None = None
     _specialized: tuple[str, ...] | None = None
+
+    def read_as(self, fact: Function) -> None:
+        """Have other facts from now on, and forget what was asked of those before."""
+        self.fact = fact
+        self._params = self._arity = self._calls = self._defaults = self._written_types = self._callables = None
 
     def siblings(self) -> Iterator[Func]:
         """The declarations and definitions of that name in its class or namespace, itself included."""

@@ -10,7 +10,7 @@ from ecm_extract.link.code.overloads import best, scored
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.closures import around, handed_to, is_returned, uses, uses_handed
-from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.declaring.dispatching import Dispatching
 from ecm_extract.link.running.env import Env
 
 
@@ -21,19 +21,23 @@ class CallTargets:
     functions of the name.
 
     Args:
-        folder: knows the classes of receivers.
+        dispatching: tells which methods objects run.
         calls: all calls by the last part of what they name.
         place: gives the place of evaluation of a call.
     """
 
     def __init__(
-        self, folder: Folder, calls: Mapping[str, Sequence[Invocation]], place: Callable[[Invocation], Env]
+        self,
+        dispatching: Dispatching,
+        calls: Mapping[str, Sequence[Invocation]],
+        place: Callable[[Invocation], Env],
     ) -> None:
-        self.folder = folder
+        self.folder = dispatching.folder
         self.calls = calls
         self.place = place
         self._targets: dict[Invocation, tuple[Func, ...]] = {}
-        self._receivers: dict[Invocation, Container[Cls]] = {}
+        self._dispatching = dispatching
+        self._receivers: dict[Invocation, Cls | Container[Cls]] = {}
         self._asked: set[tuple[str, str]] = set()
         self._callers_of: dict[Func, list[Invocation]] = defaultdict(list)
         self._own_of: dict[Func, list[Invocation]] = defaultdict(list)
@@ -99,18 +103,22 @@ class CallTargets:
                 and func.fact.scope in {here, call.func.fact.scope}
             )
         if func.cls is not None:
-            return self._method_means(call, func.cls)
+            return self._method_means(call, func, func.cls)
         if call.receiver is not None:
             return False
         return func in self.folder.program.functions_named(call.path, call.func.file, call.func.scope)
 
-    def _method_means(self, call: Invocation, cls: Cls) -> bool:
-        if call.receiver is None and not call.simple:
+    def _method_means(self, call: Invocation, func: Func, cls: Cls) -> bool:
+        if "::" in call.path or (call.receiver is None and not call.simple):
             return cls in self._named_classes(call)
         known = self._receivers.get(call)
         if known is None:
             known = self._receivers[call] = self._classes(call)
-        return cls in known
+        if not isinstance(known, Cls):
+            return cls in known
+        if func.file.language == "python" or func.is_constructor:
+            return cls in self.folder.program.ancestry(known)
+        return self._dispatching.may_mean(call, func, known)
 
     def _named_classes(self, call: Invocation) -> Container[Cls]:
         """The class in front of the name of a method, with its bases."""
@@ -119,15 +127,14 @@ class CallTargets:
         named = program.class_named(owner, call.func.file, call.func.scope)
         return program.ancestry(named) if named is not None else ()
 
-    def _classes(self, call: Invocation) -> Container[Cls]:
-        """The classes whose method a call can run: those of its receiver, any for one of unknown type."""
+    def _classes(self, call: Invocation) -> Cls | Container[Cls]:
+        """The class of the object of a call; all for one of unknown type, none where the tree does not have it."""
         if call.receiver is None:
-            own = self.folder.nesting.object_of(call.func)
-            return self.folder.program.ancestry(own) if own is not None else ()
+            return self.folder.nesting.object_of(call.func) or ()
         env = self.place(call)
         owner = self.folder.objects.class_of(call.receiver, env)
         if owner is not None:
-            return self.folder.program.ancestry(owner)
+            return owner
         written = plain(pointee(self.folder.objects.type_of(call.receiver, env)))
         return _Any() if not written or written == "auto" or written in _templates(call.func) else ()
 

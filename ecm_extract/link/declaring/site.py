@@ -25,6 +25,7 @@ class Site:
         root: outermost function.
         places: where each call of the chain is evaluated.
         certain: whether a run that gets to the call makes the endpoint; False for one of several that it may make.
+        sole: whether no object that its calls may mean runs another method instead.
         written: of a call that spreads its arguments how it is written, and its place; None of others.
         exact: the class of the objects that it is told of, where those of derived classes have sites of their own.
     """
@@ -38,6 +39,7 @@ class Site:
     places: tuple[Env, ...] = ()
     certain: bool = True
     exact: Cls | None = None
+    sole: bool = True
     written: Spread | None = None
 
     def as_written(self) -> Site:

@@ -16,6 +16,7 @@ from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.call_targets import CallTargets
 from ecm_extract.link.declaring.closures import given, is_of_parameter
 from ecm_extract.link.declaring.deciding import deciding
+from ecm_extract.link.declaring.dispatching import Dispatching
 from ecm_extract.link.declaring.escaping import escaping, handed_makers
 from ecm_extract.link.declaring.making import Making
 from ecm_extract.link.declaring.match import Matcher, name_argument
@@ -91,7 +92,8 @@ class Sites:
         for call in escaping(program.every_function(), handed_makers(matcher.forms)):
             self.calls[call.last].append(call)
         self._given = GivenFunctions(self.folder)
-        self._calls_of = CallTargets(self.folder, self.calls, self._place)
+        self.dispatching = Dispatching(self.folder, self.plugins)
+        self._calls_of = CallTargets(self.dispatching, self.calls, self._place)
         self.folder.states.callers.find = self._calling
         self.folder.states.callers.making = self._made
         self.folder.lasting.find()
@@ -186,7 +188,7 @@ class Sites:
         for site in sites if not all(site.certain for site in sites) else ():
             names[site.chain].add(self.names(site))
         single = {chain for chain, found in names.items() if len(found) == 1 and all(len(each) == 1 for each in found)}
-        return [replace(site, certain=site.certain or site.chain in single) for site in sites]
+        return [replace(site, certain=site.certain or (site.sole and site.chain in single)) for site in sites]
 
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self.openness.of(site, self.names(site))
@@ -222,8 +224,12 @@ class Sites:
         own = [call for call in self._calls_of.own(root) if site.chain.count(call) < MAX_AGAIN]
         others = [call for call in self.callers(root) if call not in site.chain]
         for call in self._dead.without([*others, *own]):
-            for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
-                wider = self._through(replace(site, certain=site.certain and certain), call, outer)
+            for outer, certain in self.ways.places(self.dispatching.at_hand(root, call, self._place(call))):
+                runs = self.dispatching.through(site, call, outer)
+                if runs is None:
+                    continue
+                inner = replace(site, certain=site.certain and certain and runs, sole=site.sole and runs)
+                wider = self._through(inner, call, outer)
                 if is_of_parameter(call):
                     handing = self._callers(wider)
                     yield from (each for each in handing if given(root, call, each.places[1]) is not None)
@@ -253,7 +259,7 @@ class Sites:
         return any(value.confidence == "pattern" and not value.open("param") for value in self.names(site))
 
     def _calling(self, func: Func) -> Iterator[tuple[Invocation, Env]]:
-        return ((call, self._place(call)) for call in self.callers(func))
+        return ((call, self.dispatching.at_hand(func, call, self._place(call))) for call in self.callers(func))
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others."""
@@ -270,10 +276,9 @@ class Sites:
     def _widened(self, site: Site, call: Invocation, outer: Env, root: Env) -> Site:
         """The same site, seen from one call further out."""
         *places, env = self.ways.inside(site, root)
-        chain, owner = (call, *site.chain), call.func.holder
-        written = site.as_written().call
-        wider = Site(site.form, written, env, chain, owner, call.func, (outer, *places), site.certain, site.exact)
-        return self._spread_out(wider)
+        chain, owner = (call, *site.chain), call.func.holder and outer.this
+        wider = replace(site.as_written(), env=env, chain=chain, owner=owner, root=call.func)
+        return self._spread_out(replace(wider, places=(outer, *places)))
 
     def _first(self, site: Site) -> Invocation:
         return site.chain[0] if site.chain else site.call

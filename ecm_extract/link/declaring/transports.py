@@ -41,7 +41,12 @@ def transported(call: Invocation, form: Form) -> tuple[Invocation, Form]:
 
 
 def _behind(transport: Expr) -> Expr:
-    """What stands behind the name of the plain topic."""
+    """What stands behind the name of the plain topic; of a choice on each side what it is there."""
+    if isinstance(transport, Op) and transport.op == "?:":
+        test, *sides = transport.operands
+        return Op("?:", (test, *map(_behind, sides)))
+    if transport == Text(_table()["plain"]):
+        return Text("")
     below = Op("+", (Text("/"), transport))
     is_plain = Op("==", (transport, Text(_table()["plain"])))
     return below if isinstance(transport, Text) else Op("?:", (is_plain, Text(""), below))

@@ -51,7 +51,7 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
 }
 MAX_DEPTH = 12
 """Nesting of evaluations."""
-_WITHOUT_DEPTH = frozenset({"keep_all", "system_default"})
+_WITHOUT_DEPTH = frozenset({"keep_all", "system_default", "unknown"})
 
 
 class QosReader:

@@ -46,13 +46,20 @@ def declared_field(expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:
 def _given(expr: Member, begun: Sequence[Expr], env: Env, folder: Folder) -> Bound | None:
     """What a field is given by an object that begins with some values, `NOTHING` for nothing."""
     cls = folder.objects.class_of(expr.base, env)
-    if cls is None or expr.name not in cls.fields or cls.fact.bases or cls.constructors:
+    owner = folder.scope.declaring(expr.name, cls) if cls is not None else None
+    if cls is None or owner is None or (begun and cls.fact.bases) or _may_give(cls, owner, folder):
         return None
     place = Env(env.func, depth=env.depth + 1, this=cls)
     parts = [Bound(each, place) for each in begun]
     given = dict(named_parts(parts)) or dict(zip(cls.filled, parts, strict=False))
-    default = given[expr.name].expr if expr.name in given else cls.fields[expr.name].default
+    default = given[expr.name].expr if expr.name in given else owner.fields[expr.name].default
     return Bound(default if default is not None else NOTHING, place)
+
+
+def _may_give(cls: Cls, owner: Cls, folder: Folder) -> bool:
+    """Tell whether a constructor of an object of a class may give something to a member that it has by another one."""
+    lineage = folder.program.ancestry
+    return any(each.constructors for each in lineage(cls) if owner in lineage(each))
 
 
 def _of_local(base: Expr, env: Env, folder: Folder) -> Sequence[Expr] | None:

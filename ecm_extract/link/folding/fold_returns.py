@@ -190,7 +190,7 @@ class ReturnFolder:
         if callee.cls is None and "lambda" not in callee.fact.traits:
             return Env(callee, 0, args, depth=env.depth + 1, outer=outer, call=led)
         made = self._made(callee, call, env)
-        this = _class_of(made, callee, call, env)
+        this = self._class_of(made, callee, call, env)
         written = made is not None or self.folder.object_fields.reads(callee, this)
         python = env.func.file.language == "python"
         other = made is None and (python or isinstance(call.receiver, Call)) and not is_own(call.receiver)
@@ -201,7 +201,17 @@ class ReturnFolder:
 
     def object_at(self, callee: Func, call: Invocation, env: Env) -> Cls | None:
         """Return the class of the object that a called method has at hand."""
-        return _class_of(self._made(callee, call, env), callee, call, env)
+        return self._class_of(self._made(callee, call, env), callee, call, env)
+
+    def _class_of(self, made: Instance | None, callee: Func, call: Invocation, env: Env) -> Cls | None:
+        """The class of the object that a method is called on, by how that is made, or of C++ by its type."""
+        if is_own(call.receiver):
+            return env.this or env.func.cls or callee.cls
+        if made is not None or call.receiver is None or callee.cls is None or env.func.file.language == "python":
+            return made.cls if made is not None else callee.cls
+        cls = self.folder.objects.class_of(call.receiver, env)
+        derives = cls is not None and callee.cls in self.folder.program.ancestry(cls)
+        return cls if derives else callee.cls
 
     def _made(self, callee: Func, call: Invocation, env: Env) -> Instance | None:
         """How the object is made that a method is called on, where that is known."""
@@ -211,13 +221,6 @@ class ReturnFolder:
             return None
         made = self.folder.states.instance(call.receiver, env)
         return made or self.handed.instance(call.receiver, callee, env)
-
-
-def _class_of(made: Instance | None, callee: Func, call: Invocation, env: Env) -> Cls | None:
-    """The class of the object that a method is called on, by how that is made."""
-    if is_own(call.receiver):
-        return env.this or env.func.cls or callee.cls
-    return made.cls if made is not None else callee.cls
 
 
 def _receiver(call: Invocation) -> Expr:

@@ -39,8 +39,11 @@ class SeenMakers:
 
     def is_seen(self, cls: Cls) -> bool:
         """Tell whether neither frameworks nor derived classes, nor what names none, make objects of a class."""
-        made_by_others = cls in self._registered or self.program.derived(cls)
-        return not made_by_others and cls.fact.name not in self._unseen
+        return not self.program.derived(cls) and self.are_named(cls)
+
+    def are_named(self, cls: Cls) -> bool:
+        """Tell whether what makes objects of a class, and of no derived one, names it."""
+        return cls not in self._registered and cls.fact.name not in self._unseen
 
     @cached_property
     def _unseen(self) -> frozenset[str]:

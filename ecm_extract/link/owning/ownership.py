@@ -13,6 +13,7 @@ from ecm_extract.link.owning.decided import Decided
 from ecm_extract.link.owning.leads import mentions_of_constant
 from ecm_extract.link.owning.made_unseen import SeenMakers
 from ecm_extract.link.owning.modules import Module, Modules
+from ecm_extract.link.owning.objects_made import ObjectsMade
 from ecm_extract.link.owning.reach import Reach
 from ecm_extract.link.owning.references import Unit
 from ecm_extract.link.running.values import Hole, Value
@@ -29,6 +30,7 @@ class Ownership:
         self.modules = modules
         self.reach = Reach(self.program, modules.loaded, modules.references.registered)
         self.constructors = Constructors(sites.calls, makers)
+        self.objects = ObjectsMade(sites, self.reach, makers)
         self.decided = Decided(sites, modules.references)
 
     def owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:
@@ -45,7 +47,7 @@ class Ownership:
         derived = [each for each in owners if self._derives(each, site) or self._is_base_only(each, site)]
         if derived and len(derived) == len(owners):
             return ()
-        owners = [each for each in owners if each not in derived]
+        owners = [each for each in owners if each not in derived and self.objects.run(site, each)]
         line = [call.func for call in (*site.chain, site.call)]
         owners = [each for each in owners if all(self.modules.links(each, func) for func in line)]
         through = self._through(unit, site)

@@ -8,6 +8,7 @@ from typing import Final, Protocol
 from ecm_parsers.source.expr import THIS
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.spelling import template_arguments
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.env import Env
@@ -27,7 +28,8 @@ class Methods(Protocol):
 def early_bound(call: Invocation, env: Env, known: Methods) -> Sequence[Func]:
     """Return the methods of the class that writes a call: in a constructor, or as they are not virtual; else none."""
     found = known.methods(call, env.func.cls) if _is_own(call, env) else ()
-    is_bound = env.func.is_constructor or not any(is_virtual(each, known.program) for each in found)
+    begins = env.func.is_constructor and not call.statement.deferred  # a lambda of it runs later
+    is_bound = begins or not any(is_virtual(each, known.program) for each in found)
     return found if is_bound else ()
 
 
@@ -36,7 +38,14 @@ def _is_own(call: Invocation, env: Env) -> bool:
     static = env.func.cls
     if static is None or static.file.language != "cpp" or env.this in {None, static}:
         return False
-    return call.receiver == THIS or (call.receiver is None and call.simple)
+    return (call.receiver == THIS and not _is_given(static, env)) or (call.receiver is None and call.simple)
+
+
+def _is_given(static: Cls, env: Env) -> bool:
+    """Whether a template gets the class of the object at hand, to which it casts that: `static_cast<T *>(this)`."""
+    own = env.this
+    written = own.fact.bases if own is not None and static.fact.template else ()
+    return own is not None and any(own.fact.name in template_arguments(base) for base in written)
 
 
 def is_virtual(method: Func, program: Program) -> bool:

@@ -117,7 +117,7 @@ class FileScope:
             if statement.kind != "set" or not isinstance(statement.target, Name) or statement.value is None:
                 continue
             name = statement.target.id.rsplit("::", 1)[-1]
-            if name in self.program.constants and not self._hides(func, name):
+            if name in self.program.constants and not self._hides(func, statement.target.id):
                 found.append((name, Definition(func, at)))
         return found
 
@@ -127,7 +127,9 @@ class FileScope:
         if any(body[at].kind != "set" for at in self.scope.locals_of(func).get(name, ())):
             return True
         own = any(parameter.name == name for parameter in func.fact.params)
-        return own or bool(self.scope.member_type(name, func.cls))
+        lineage = self.program.ancestry(func.cls) if func.cls is not None else ()
+        field = next((each.fields[name] for each in lineage if name in each.fields), None)
+        return own or (field is not None and "static" not in field.traits)
 
 
 def _target(definition: Definition) -> str:

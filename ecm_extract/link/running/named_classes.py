@@ -1,6 +1,6 @@
-"""`Class.method(x)` of Python, where the method is one of the class and not of an object.
+"""`Class.method(x)` of Python, where the method is one of the class and not of an object; `object.Class::method(x)`.
 
-Source: Python language reference, "staticmethod" and "classmethod".
+Source: Python language reference, "staticmethod" and "classmethod"; [class.qual] of the C++ standard.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from ecm_extract.link.index.program import Program
 def class_asked(call: Invocation, program: Program) -> Cls | None:
     """Return the class of which a call asks one of its own methods; None of other calls."""
     if call.func.file.language != "python":
-        return None
+        owner = call.path.rpartition("::")[0] if call.receiver is not None else ""
+        return program.class_named(owner, call.func.file, call.func.scope) if owner else None
     path = _written(call) if call.receiver is not None else call.path.rpartition(".")[0]
     named = program.class_named(path, call.func.file, call.func.fact.scope) if path else None
     owners = program.ancestry(named) if named is not None else ()

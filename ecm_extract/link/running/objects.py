@@ -314,7 +314,7 @@ class Objects:
             return self._methods_of_base(call, own)
         named = class_asked(call, self.program)
         if call.receiver is not None:
-            return self.methods(call, self.class_of(call.receiver, env.before(env.at)) or named)
+            return self.methods(call, named or self.class_of(call.receiver, env.before(env.at)))
         return self.methods(call, named or self._class_at_hand(call, env)) or self._free(call, env)
 
     def _methods_of_base(self, call: Invocation, own: Cls) -> Sequence[Func]:

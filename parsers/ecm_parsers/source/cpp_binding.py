@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.cpp_arrays import array_value, characters, extents
 from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_expr import ExprReader
+from ecm_parsers.source.cpp_invoking import perhaps_invoked
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of
 from ecm_parsers.source.cpp_vexing import as_arguments, as_choice
-from ecm_parsers.source.expr import Call, Expr, Items, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -91,6 +92,8 @@ class Binding:
         braces = listed is not None and listed.type == "initializer_list"
         made: Expr = Call(name, args, (), types, line_of(target))
         value = Items(args) if braces and args and not base else made if base or len(args) != 1 else args[0]
+        called = perhaps_invoked(Member(THIS, name.id), args, line_of(target)) if not base else None
+        self.expr.invoked += [called] if called is not None else []
         self.writer.add("init", target, value, name)
 
     def bound(self, declarator: Node) -> Expr:

@@ -326,6 +326,7 @@ _DECLARATIONS = {
     "template_declaration": DeclarationReader.template,
     "class_specifier": DeclarationReader.classes_of,
     "struct_specifier": DeclarationReader.classes_of,
+    "union_specifier": DeclarationReader.classes_of,
     "function_definition": DeclarationReader.function,
     "declaration": DeclarationReader.declaration,
     "alias_declaration": DeclarationReader.alias,

@@ -89,7 +89,7 @@ def _given_out(node: Node) -> tuple[str, ...]:
     declarator = node.child_by_field_name("declarator")
     refers = declarator is not None and declarator.type in {"reference_declarator", "pointer_declarator"}
     fixed = any(child.type == "type_qualifier" for child in node.children)
-    return ("reference",) if refers and not fixed else trailing_reference(declarator)
+    return (("lending",) if fixed else ("reference",)) if refers else trailing_reference(declarator)
 
 
 def trailing_reference(declarator: Node | None) -> tuple[str, ...]:
@@ -98,7 +98,7 @@ def trailing_reference(declarator: Node | None) -> tuple[str, ...]:
     written = next((part.text or b"" for part in parts if part.type == "trailing_return_type"), b"")
     returned = written.removeprefix(b"->").strip()
     refers = returned.endswith((b"&", b"*")) or returned == b"decltype(auto)"
-    return ("reference",) if refers and not returned.startswith(b"const ") else ()
+    return (("lending",) if returned.startswith(b"const ") else ("reference",)) if refers else ()
 
 
 def attributes(reader: ExprReader, node: Node) -> tuple[str, ...]:

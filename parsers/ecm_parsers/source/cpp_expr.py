@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.numbers import truncated
 from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.cpp_containers import given
-from ecm_parsers.source.cpp_invoking import gets_values, invoked
+from ecm_parsers.source.cpp_invoking import gets_values, invoked, invoked_by_element
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
 from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.expr import (
@@ -107,7 +107,7 @@ class ExprReader:
 
     def made(self, call: Call) -> Call:
         """Return a call that was read; what it makes somebody call is a statement behind the one at hand."""
-        called = invoked(call)
+        called = invoked(call) or invoked_by_element(call)
         if called is not None:
             self.invoked.append(called)
         return call

@@ -10,17 +10,19 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import msgspec
 
-from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Number, Op
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
     from ecm_parsers.source.cpp_expr import ExprReader
 
+_ANY: Final = "*"
+"""Stands for whatever is before a function, one argument."""
 _OWN = frozenset({"shared_from_this", "weak_from_this"})
 """Methods that give the object at hand; en.cppreference.com, std::enable_shared_from_this."""
 
@@ -33,6 +35,8 @@ class _Table(msgspec.Struct, frozen=True):
     """What is known of such calls; see cpp_invoking.toml."""
 
     calling: Mapping[str, Sequence[str]]
+    running: _Names
+    emplacing: _Names
     making: _Names
     placeholders: _Names
     referring: _Names
@@ -72,6 +76,36 @@ def invoked(call: Call) -> Call | None:
     return _called(args[0], args[1:], call.line) if len(args) > 1 else None
 
 
+def invoked_by_element(call: Call) -> Call | None:
+    """Return what an element of a container calls that a call makes, if it is of such a type; None of other calls."""
+    callee = call.callee
+    if not isinstance(callee, Member) or not makes_element(callee):
+        return None
+    return perhaps_invoked(Op("[]", (callee.base, Number(0))), call.args, call.line)
+
+
+PERHAPS: Final = Name("<where it runs>")
+"""Is called with an object, and with what that calls if it is one of a type that runs what it is made with."""
+
+
+def runs_function(written: str) -> bool:
+    """Tell whether an object of a type calls the function that it is made with."""
+    return written in _table().running.names
+
+
+def makes_element(callee: Expr) -> bool:
+    """Tell whether a method makes an element of a container of what it is given."""
+    return isinstance(callee, Member) and callee.name in _table().emplacing.names
+
+
+def perhaps_invoked(made: Expr, args: Sequence[Expr], line: int) -> Call | None:
+    """Return what an object calls that is made with a function by its address, where only the tree tells its type."""
+    address = args[0] if len(args) > 1 else None
+    is_address = isinstance(address, Op) and address.op == "&"
+    called = _called(address, tuple(args[1:]), line) if address is not None and is_address else None
+    return Call(PERHAPS, (made, called, address), (), (), line) if called is not None and address else None
+
+
 def called_by(call: Call) -> Expr | None:
     """Return the argument of a call that `invoked` tells the call of; None of others."""
     return _from_function(call)[0] if invoked(call) is not None else None
@@ -81,6 +115,8 @@ def _from_function(call: Call) -> tuple[Expr, ...]:
     """The function that a call calls, and what it gives that; nothing of calls that call none."""
     before = _before(call.callee.id, call.types) if isinstance(call.callee, Name) else None
     args = call.args if before is not None else ()
+    if before == [_ANY]:
+        return args[1:]
     while before and args and isinstance(args[0], Name) and _is_before(args[0].id, before):
         args = args[1:]
     return args
@@ -93,6 +129,9 @@ def with_copies(call: Call, mark: str) -> tuple[Call, Mapping[str, Expr]]:
         call: the call.
         mark: begins those names.
     """
+    if call.callee == PERHAPS and isinstance(call.args[1], Call):
+        called, copies = with_copies(call.args[1], mark)
+        return msgspec.structs.replace(call, args=(call.args[0], called, call.args[2])), copies
     copied = {f"{mark}::{arg.id}": arg for arg in call.args if isinstance(arg, Name) and _is_copied(arg)}
     return msgspec.structs.replace(call, args=tuple([_given(arg, mark) for arg in call.args])), copied
 
@@ -120,7 +159,7 @@ def _before(callee: str, types: Sequence[str]) -> Sequence[str] | None:
 
 
 def _is_before(written: str, before: Sequence[str]) -> bool:
-    return any(written.startswith(f"{name}::") for name in before)
+    return any(name == _ANY or written.startswith(f"{name}::") for name in before)
 
 
 def _called(function: Expr, args: tuple[Expr, ...], line: int) -> Call | None:
@@ -130,7 +169,7 @@ def _called(function: Expr, args: tuple[Expr, ...], line: int) -> Call | None:
         return None
     owner = _object(args[0]) if is_address and "::" in pointed.id else None
     given = args if owner is None else args[1:]
-    callee = pointed if owner is None else Member(owner, pointed.id.rpartition("::")[2])
+    callee = pointed if owner is None else Op("->*", (owner, pointed))
     return Call(callee, given, (), (), line) if not all(map(_is_placeholder, given)) else None
 
 

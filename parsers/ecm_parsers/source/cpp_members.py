@@ -8,7 +8,7 @@ from ecm_parsers.source.cpp_arrays import extents
 from ecm_parsers.source.cpp_declarators import announced_end, flat_members, function_declarator, leading_words, lines_of
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_place import Place
-from ecm_parsers.source.facts import Constant, Field
+from ecm_parsers.source.facts import OVERLAID, Constant, Field
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -56,11 +56,19 @@ def _field(reader: DeclarationReader, node: Node, place: Place) -> list[Field]:
             *place.traits(),
             *(word for word in words if word in {"static", "constexpr", "const", "mutable"}),
             *announced_end(reader.expr, node),
+            *((OVERLAID,) if _is_overlaid(node) else ()),
         )
         if "static" in traits or "constexpr" in traits:
             reader.constants.append(Constant(name, place.scope, value, lines_of(node)[0], written, traits))
         fields.append(Field(name, written, lines_of(declarator)[0], value, traits))
     return fields
+
+
+def _is_overlaid(node: Node) -> bool:
+    """Whether a field holds something else than it is given: of a union, or some bits of a number ([class.bit])."""
+    around = node.parent.parent if node.parent is not None else None
+    of_union = around is not None and around.type == "union_specifier"
+    return of_union or any(child.type == "bitfield_clause" for child in node.children)
 
 
 def _declared(node: Node) -> list[tuple[Node, Node | None]]:

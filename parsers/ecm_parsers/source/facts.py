@@ -6,7 +6,7 @@ Scopes and owners are written with `::` in both languages (`ns::Class`, Python `
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 
@@ -68,7 +68,7 @@ class Function(_Fact, frozen=True):
         traits: of `declaration`, `static`, `virtual`, `override`, `pure`, `deleted`, `private`, `protected`,
             `anonymous` (namespace), `deprecated`, `const`, `generator`, `receiving` (one that uses what it is
             sent), `coroutine`, `reference` (it returns one,
-            or a pointer, to what may be changed).
+            or a pointer, to what may be changed), `lending` (to what may not).
         decorators: Python decorators or C++ attributes, as written.
         flow: how the statements of its body follow each other; empty where they simply do.
         shared: names that a Python function takes from around it to assign them (`global`, `nonlocal`).
@@ -89,6 +89,10 @@ class Function(_Fact, frozen=True):
     flow: Block = ()
     shared: tuple[str, ...] = ()
     specializes: tuple[str, ...] | None = None
+
+
+OVERLAID: Final = "overlaid"
+"""Trait of a field of C++ that may hold something else than it is given: of a union, or some bits of a number."""
 
 
 class Field(_Fact, frozen=True):

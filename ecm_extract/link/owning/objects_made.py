@@ -1,0 +1,64 @@
+"""Objects of which classes a module makes: a method that all of them have another one for runs on none of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.declaring.dispatching import is_early
+from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.owning.made_unseen import SeenMakers
+from ecm_extract.link.owning.modules import Module
+from ecm_extract.link.owning.reach import Reach
+from ecm_extract.link.running.early_binding import is_virtual
+
+
+class ObjectsMade:
+    """Tells whether the objects of modules run what a site comes through; each class is asked about once a module."""
+
+    def __init__(self, sites: Sites, reach: Reach, makers: SeenMakers) -> None:
+        self.sites = sites
+        self.program = sites.program
+        self.reach = reach
+        self.makers = makers
+        self._made: dict[tuple[Module, Cls], Sequence[Cls]] = {}
+
+    def run(self, site: Site, module: Module) -> bool:
+        """Tell whether an object that a module makes runs the methods of C++ by which a site is reached."""
+        cls = self._class_of(site)
+        methods = [each for each in self._by_name(site) if is_virtual(each, self.program)]
+        made = self._made_by(module, cls) if cls is not None and methods else ()
+        runs = self.sites.dispatching.runs
+        return not made or any(all(runs(method, each) for method in methods) for each in made)
+
+    def _class_of(self, site: Site) -> Cls | None:
+        """The class of the object that runs the outermost function of a site."""
+        return self.sites.folder.nesting.object_of(site.root)
+
+    def _by_name(self, site: Site) -> Iterator[Func]:
+        """The methods on the way that the object itself tells: none that somebody calls by the name of its class."""
+        for method in self.sites.dispatching.on_object(site):
+            if method is not site.root or not self._is_called_early(method):
+                yield method
+
+    def _is_called_early(self, method: Func) -> bool:
+        return any(is_early(call) for call in self.sites.calls.get(method.fact.name, ()))
+
+    def _made_by(self, module: Module, cls: Cls) -> Sequence[Cls]:
+        asked = (module, cls)
+        if asked not in self._made:
+            family = (cls, *self.program.derived(cls))
+            own = module.cls
+            self._made[asked] = (own,) if own is not None and own in family else tuple(self._of(module, family))
+        return self._made[asked]
+
+    def _of(self, module: Module, family: Sequence[Cls]) -> Iterator[Cls]:
+        """Those of a family of which a module makes objects; none where it may make some that nothing names."""
+        if all(map(self.makers.are_named, family)):
+            yield from (each for each in family if self._makes(module, each))
+
+    def _makes(self, module: Module, cls: Cls) -> bool:
+        calls = (call for call in self.sites.calls.get(cls.fact.name, ()) if self.sites.makes(call, cls))
+        makers = (call.func for call in calls if not self.sites.is_base_of(call, cls))
+        return any(self.reach.reaches(module, [maker]) for maker in makers)

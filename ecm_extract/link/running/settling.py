@@ -1,0 +1,27 @@
+"""Facts that one file alone cannot tell, read again as the whole tree says, before anything is run."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from ecm_extract.link.code.units import File
+from ecm_extract.link.index.contexts import settle_contexts
+from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.bound_methods import settle_bound_methods
+from ecm_extract.link.running.members_of_bases import settle_members_of_bases
+from ecm_extract.link.running.objects import Objects
+from ecm_extract.link.running.scope import Scope
+
+
+def settle(program: Program) -> None:
+    """Read members of several classes, calls by pointers to methods, and contexts, as the tree says."""
+    for file in program.files:
+        file.returned = partial(_returned, program, file)
+    settle_members_of_bases(program)
+    settle_bound_methods(Objects(program, Scope(program)))
+    settle_contexts(program)
+
+
+def _returned(program: Program, file: File, name: str, scope: str) -> frozenset[str]:
+    """What the functions of a file's sight return that a name means."""
+    return frozenset(func.fact.returns for func in program.functions_named(name, file, scope))
