@@ -18,6 +18,7 @@ from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callba
 from ecm_extract.link.declaring.parameters import Home, Parameters
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.declaring.unmodelled import Unmodelled
 from ecm_extract.link.endpoints.claims import Claim, claims_of
 from ecm_extract.link.endpoints.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoints.endpoint_conditions import EndpointConditions
@@ -112,6 +113,7 @@ class Linker:
         self.types = Types(self.folder)
         self.qos = QosReader(self.folder)
         matcher = Matcher(forms, self.folder)
+        self.forms = forms.keys()
         self.registry = registry = build_registry(self.program, packages)
         also, plugins = (*observation_forms(), *SUMMARIES, LISTENER), plugins_of(self.program, registry)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
@@ -180,7 +182,8 @@ class Linker:
 
     def tell(self, tree: Tree) -> None:
         """Report the places whose values were not computed to the end to the tree that they stand in."""
-        for entry in (*self.folder.steps.left_out(), *self.folder.faults.told()):
+        unmodelled = Unmodelled(self.folder, self.sites.calls.keys() | self.forms).told()
+        for entry in (*self.folder.steps.left_out(), *self.folder.faults.told(), *unmodelled):
             tree.report(entry)
 
     def _given_out(self, found: Iterable[tuple[Unit, _Found]], by_module: dict[Module, list[_Found]]) -> None:

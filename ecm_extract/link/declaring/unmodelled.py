@@ -1,0 +1,85 @@
+"""Functions of C++ that no source shows and no row tells of, which get a node and a name: what they declare is missing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Set
+from typing import Final
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
+
+from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.walk import given_to, last_of
+from ecm_extract.link.declaring.client_libraries import is_client_library
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.index.module_kinds import is_node_base
+from ecm_extract.link.running.env import Env
+from ecm_extract.tree import FileDiagnostic, Unread, printable
+
+CODE: Final = "handle-given-outside"
+_HANDLE: Final = "NodeHandle"
+_LANGUAGE: Final = frozenset({"std", "boost", "ros"})
+"""Namespaces whose functions declare nothing but what rows tell of."""
+
+
+class Unmodelled:
+    """Finds them.
+
+    Args:
+        folder: what is known of the tree.
+        known: last names of the calls that rows tell of.
+    """
+
+    def __init__(self, folder: Folder, known: Set[str]) -> None:
+        self.folder = folder
+        self.program = folder.program
+        self.known = known
+
+    def told(self) -> Iterator[FileDiagnostic]:
+        """Yield a warning for each of them in each file, where it is called first; it is a gap."""
+        found: dict[tuple[str, str], int] = {}
+        for func in self.program.every_function():
+            for at, call in self._calls(func):
+                if self._is_one(call, Env(func, at, this=func.cls)):
+                    place = func.file.path, _called(call)
+                    found[place] = min(found.get(place, call.line), call.line)
+        for (path, name), line in sorted(found.items()):
+            yield _told(path, name, line)
+
+    def _calls(self, func: Func) -> Iterator[tuple[int, Call]]:
+        """The calls of free functions with a text, which alone are asked for more."""
+        for at, group in enumerate(func.calls) if func.file.language == "cpp" else ():
+            if func.fact.body[at].kind != "init":
+                yield from ((at, call) for call in group if isinstance(call.callee, Name) and _has_text(call))
+
+    def _is_one(self, call: Call, env: Env) -> bool:
+        """Whether a call gives a node and a name to a function of which nothing is known."""
+        name, space = last_of(call.callee), _called(call).partition("::")[0]
+        if name in self.known or space in _LANGUAGE or is_client_library(space):
+            return False
+        if name in self.program.functions or name in self.program.classes or name in self.program.macros:
+            return False
+        return any(self._is_node(arg, env) for arg in given_to(call))
+
+    def _is_node(self, arg: Expr, env: Env) -> bool:
+        if not isinstance(arg, Name | Member | Op):
+            return False
+        written = self.folder.objects.type_of(arg, env)
+        return _HANDLE in written or (bool(written) and is_node_base(plain(written)))
+
+
+def _has_text(call: Call) -> bool:
+    return any(isinstance(arg, Text) for arg in given_to(call))
+
+
+def _called(call: Call) -> str:
+    return plain(call.callee.id) if isinstance(call.callee, Name) else ""
+
+
+def _told(path: str, name: str, line: int) -> FileDiagnostic:
+    shown = printable(path)
+    text = (
+        f"{printable(name)} gets a node and a name, and neither the tree nor a row shows what it does with them: what "
+        f"it declares is not told. Read its package as well, or add a row for {printable(last_name(name))} to ecm.toml."
+    )
+    return FileDiagnostic("warning", CODE, shown, line, text, Unread(shown, "unjudged"))
