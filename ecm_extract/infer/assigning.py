@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import MOVED, Call, Expr, Items, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.bare_names import bare_names
+from ecm_extract.infer.bare_names import bare_names, shared_names
 from ecm_extract.infer.effects import is_element, is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
@@ -177,6 +177,10 @@ class Assigning:
         """`std::tie(a, b) = value` gives each its part; `(test ? a : b) = value` gives one or the other something."""
         if isinstance(target, Call) and isinstance(target.callee, Name) and last_name(target.callee.id) == _TIE:
             return self._unpack(Items(target.args), held, state)
+        if self.frame.python:
+            for key in {self.frame.effects.key(part) for part in shared_names(target, self.frame.body)} - {""}:
+                state = self.memory.in_place(key, Held("lost", key, before=state.holds.get(key, ())), state)
+            return state
         within = children(target) if isinstance(target, Call | Op) else ()
         return self.memory.lost(state, {self.frame.effects.root(part) for part in within} - {""})
 
@@ -289,7 +293,7 @@ def _parts(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr
     """Yield each variable of several with what it gets."""
     if held.how == "value" and value is not None:
         for each in taken(target.items, value):
-            yield each.target, Held("lost" if each.part is None else "value", "", each.part, held.env, held.at)
+            yield each.target, Held("value", "", each.part, held.env, held.at)
         return
     inner = held.how in {"each", "part"}
     for item in target.items:

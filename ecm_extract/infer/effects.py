@@ -139,7 +139,11 @@ class Effects:
             while isinstance(call, Op | Member):
                 call = call.operands[0] if isinstance(call, Op) else call.base
             if isinstance(call, Call) and call is not target:
-                yield from (Effect("handed", key, call) for each in shared_names(call) if (key := self.key(each)))
+                yield from (
+                    Effect("handed", key, call)
+                    for each in shared_names(call, self.func.fact.body)
+                    if (key := self.key(each))
+                )
 
     def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:
         callee = call.callee
@@ -159,7 +163,7 @@ class Effects:
         library = last in self.calls.reading and isinstance(callee, Name) and callee.id != last  # `std::move`
         yield from self._by_functions(call, last, at)
         within = self._put_into(call)
-        led = tuple(led_into(call, self.calls.giving)) if self.python else ()
+        led = tuple(led_into(call, self.calls.giving, self.func.fact.body)) if self.python else ()
         if not (passed or named or within or led) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
@@ -188,7 +192,9 @@ class Effects:
         called = [each.callee for made in given if isinstance(made, Lambda) for each in calls_in(made.body)]
         parameters = self.targets.parameters
         if last in self.calls.calling:
-            for each in called_with_parts(call, lambda made: parameters.may_by(made, self.func, at)):
+            for each in called_with_parts(
+                call, lambda made: parameters.may_by(made, self.func, at), self.func.fact.body
+            ):
                 if key := self.key(each):
                     yield Effect("reached" if each in given else "lost", key, call)
             called += given

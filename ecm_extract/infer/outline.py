@@ -133,8 +133,7 @@ class Outline:
         return statement.type.endswith("=") or (statement.kind == "set" and not bare)
 
     def _shared(self, expr: Expr | None) -> Set[str]:
-        given = expr.args if isinstance(expr, Call) else ()
-        return frozenset(map(self.effects.key, shared_names(expr))).union(*map(self._shared, given))
+        return frozenset(map(self.effects.key, shared_names(expr, self.func.fact.body)))
 
     @cached_property
     def escaped(self) -> Set[str]:

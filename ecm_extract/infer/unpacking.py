@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from ecm_parsers.source.expr import REST, Expr, Items, Number, Op
+from ecm_parsers.source.expr import REST, Constant, Expr, Items, Number, Op
 
 
 class Taken(NamedTuple):
-    """A variable and the part that it gets; None for a part that no expression says."""
+    """A variable and the part that it gets."""
 
     target: Expr
-    part: Expr | None
+    part: Expr
 
 
 def unstarred(target: Expr) -> Expr:
@@ -29,8 +29,14 @@ def taken(targets: Sequence[Expr], value: Expr) -> Iterator[Taken]:
         if at != star:
             yield Taken(target, shown[number] if shown is not None else Op("[]", (value, Number(number))))
         else:
-            rest = shown[star : len(shown) - (len(targets) - star - 1)] if shown is not None else None
-            yield Taken(unstarred(target), Items(rest) if rest is not None else None)
+            behind = len(targets) - star - 1
+            rest = Items(shown[star : len(shown) - behind]) if shown is not None else _slice(value, star, behind)
+            yield Taken(unstarred(target), rest)
+
+
+def _slice(value: Expr, start: int, behind: int) -> Expr:
+    """What is left over of a list: `value[1:-2]`."""
+    return Op("[]", (value, Op(":", (Number(start), Number(-behind) if behind else Constant("null")))))
 
 
 def _fits(items: Sequence[Expr], targets: Sequence[Expr], star: int) -> bool:
