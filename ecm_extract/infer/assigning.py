@@ -278,11 +278,11 @@ class Assigning:
         state = self._declared(each.target, state)
         return self.bind(each.target, Held("each", "", each.value, self.frame.place(state), at), state)
 
-    def known_element(self, target: Expr | None, item: Bound, at: int, state: State) -> State:
+    def known_element(self, each: Statement, item: Bound, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to an element that is known."""
-        state = self._declared(target, state)
+        state = self._declared(each.target, state)
         own = item.env.func is self.frame.env.func  # the place of a statement means something in its function only
-        return self.bind(target, Held("value", "", item.expr, item.env, at if own else -1), state)
+        return self.bind(each.target, Held("value", "", item.expr, item.env, at if own else -1), state)
 
 
 def _arguments(value: Expr | None) -> tuple[Expr, ...]:

@@ -53,6 +53,8 @@ def _parts_shared(expr: Expr | None) -> Iterable[Expr]:
     """The parts of an expression of which it may be one, or hold parts."""
     if isinstance(expr, Items):
         return (item for item in expr.items if not isinstance(item, Name | Member))
+    if isinstance(expr, Member):
+        return () if isinstance(expr.base, Name | Member) else (expr.base,)
     if isinstance(expr, Call) and not makes_text(expr):
         receiver = (expr.callee.base,) if isinstance(expr.callee, Member) else ()
         return (*receiver, *(arg for arg in given_to(expr) if not isinstance(arg, Name | Member)))

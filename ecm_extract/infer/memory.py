@@ -88,6 +88,12 @@ class Memory:
         parts = (part for key in lost for part in state.holds.within(key))
         return state.having(lost | {part: (Held("lost", part),) for part in parts})
 
+    def object_lost(self, key: str, state: State) -> State:
+        """The state in which nobody knows an object of a variable, nor what of Python has it as an element."""
+        if not self.frame.python:
+            return self.lost(state, self.names(key, state))
+        return self.in_place(key, Held("lost", key, before=state.holds.get(key, ())), state)
+
     def parts_lost(self, key: str, state: State) -> State:
         """Return the state in which nobody knows the fields of a variable."""
         return state.having({part: (Held("lost", part),) for part in state.holds.within(key)})
@@ -155,7 +161,8 @@ class Memory:
             keys |= {name + part for name in names}
             if self.frame.python:
                 perhaps |= {name + part for name in self.sharing.holding(names, state)}
-                lists |= self._taken_from(names, state)
+                roots = self.sharing.roots(names)
+                lists |= {*self._taken_from(names | roots, state), *(name for name in roots if name in state.holds)}
         unknown = {name: (Held("lost", name),) for name in perhaps - keys}
         within = {name: _elements_of(name, state.holds[name]) for name in lists - keys}
         return state.having(within).having(unknown).having(dict.fromkeys(keys, (held,)))
@@ -251,7 +258,9 @@ class Memory:
         return found
 
     def _refer(self, let: Statement) -> None:
-        """Note a reference of C++, or a pointer, that is declared among steps which may run again."""
+        """Note a reference of C++, or a pointer, declared among steps which may run again, or a loop of Python."""
+        if let.kind == "each" and self.frame.python:
+            self.sharing.enter(let)
         if refers(let) and not self.frame.python:
             effects, value = self.frame.effects, let.value
             whole = effects.key(value) if not is_address(value) else ""

@@ -12,7 +12,8 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks, steps
 
 from ecm_extract.infer.bare_names import shared_names
-from ecm_extract.infer.effects import Effect, Effects, is_plain
+from ecm_extract.infer.effect import Effect
+from ecm_extract.infer.effects import Effects, is_plain
 from ecm_extract.infer.inner import function_named, only_called
 from ecm_extract.infer.other_names import changed_around, changed_by_other_names
 from ecm_extract.infer.places import caught_names, own_names, target_of

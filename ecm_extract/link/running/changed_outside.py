@@ -108,7 +108,8 @@ class ChangedOutside:
     def _changing(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:
         """Name of a field -> the functions that change it, or a part of it, with the object that it lies in."""
         found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
-        for func, key in (*self._changed_keys(), *self.folder.kept_parts.all()):
+        kept = ((each.func, each.key) for each in self.folder.kept_parts.all())
+        for func, key in (*self._changed_keys(), *kept):
             for owner, field in _owned(key):
                 found[field].append((func, owner))
         return found

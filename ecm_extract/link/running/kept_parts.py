@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Member
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import shared_names
@@ -39,10 +39,32 @@ class _Place(NamedTuple):
 
 
 class Keeping(NamedTuple):
-    """A function that lets something be kept by a name by which somebody changes it; `key` is how it names it."""
+    """A function that lets something be kept by a name.
+
+    Attributes:
+        func: the function. key: how it names what is kept. within: whether that is only put into what the name means.
+        as_it_is: whether it is all that the name means.
+    """
 
     func: Func
     key: str
+    within: bool = False
+    as_it_is: bool = False
+
+
+class _Given(NamedTuple):
+    """What a name is given, or what is put `within` what it means."""
+
+    place: _Place
+    value: Expr
+    within: bool
+
+
+class _Change(NamedTuple):
+    """A name by which something is changed: what it means itself, or, `deep`, what is in that."""
+
+    place: _Place
+    deep: bool
 
 
 class KeptParts:
@@ -62,27 +84,30 @@ class KeptParts:
     @cached_property
     def _kept(self) -> Mapping[str, Sequence[Keeping]]:
         found: dict[str, list[Keeping]] = defaultdict(list)
-        for place in self._changed:
-            for keeping in self._flows.get(place, ()):
-                found[keeping.key.rpartition(".")[2]].append(keeping)
+        for change in self._changed:
+            for keeping in self._flows.get(change.place, ()):
+                if change.deep or not keeping.within:
+                    found[keeping.key.rpartition(".")[2]].append(keeping)
         return found
 
     @cached_property
-    def _changed(self) -> Set[_Place]:
+    def _changed(self) -> Set[_Change]:
         """The names by which somebody changes what they stand for, be it by a further name of that."""
-        members = defaultdict[str, set[_Place]](set)
+        alike = defaultdict[str, set[_Place]](set)
         for place in self._flows:
-            members[place.name].add(place)
-        found = set[_Place]()
-        pending = [place for outline in self._outlines for place in self._changed_in(outline)]
+            alike[place.name].add(place)
+        found = set[_Change]()
+        pending = [change for outline in self._outlines for change in self._changed_in(outline)]
         while pending:
-            place = pending.pop()
-            if place not in found:
-                found.add(place)
-                alike = members[place.name] if place.owner is None else {place, _Place(place.name)}
-                found |= alike
-                flows = (keeping for each in alike for keeping in self._flows.get(each, ()))
-                pending += [self._place(keeping.key, self.folder.flow.outline(keeping.func)) for keeping in flows]
+            change = pending.pop()
+            if change not in found:
+                place, deep = change
+                near = alike[place.name] if place.owner is None else {place, _Place(place.name)}
+                found |= {change, *(_Change(each, deep) for each in near)}
+                flows = [
+                    keeping for each in near for keeping in self._flows.get(each, ()) if deep or not keeping.within
+                ]
+                pending += [_Change(self._place(each.key, each.func), deep or not each.as_it_is) for each in flows]
         return found
 
     @cached_property
@@ -90,13 +115,12 @@ class KeptParts:
         """Name -> what is kept by it."""
         found: dict[_Place, list[Keeping]] = defaultdict(list)
         for outline in self._outlines:
-            for place, value in self._given(outline):
-                keys = {
-                    outline.effects.key(each) or outline.effects.root(each)
-                    for each in shared_names(value, outline.func.fact.body)
-                }
+            effects, body = outline.effects, outline.func.fact.body
+            for place, value, within in self._given(outline):
+                keys = {effects.key(each) or effects.root(each) for each in shared_names(value, body)}
                 keys |= {last_of(call.callee) for call in calls_in(value)} if isinstance(value, Call) else set()
-                found[place] += [Keeping(outline.func, key) for key in sorted(keys - {""})]
+                whole = isinstance(value, Name | Member | Call)
+                found[place] += [Keeping(outline.func, key, within, whole) for key in sorted(keys - {""})]
         return found
 
     @cached_property
@@ -104,64 +128,75 @@ class KeptParts:
         functions = self.folder.changed_outside.functions
         return [self.folder.flow.outline(func) for func in functions if func.file.language == "python"]
 
-    def _place(self, key: str, outline: Outline) -> _Place:
+    def _place(self, key: str, func: Func) -> _Place:
         """What a key of a function stands for."""
         first, dot, _ = key.partition(".")
         name = key.rpartition(".")[2]
         if not dot:
-            return _Place(name, outline.func if name in outline.effects.own and not outline.is_module else None)
-        return _Place(name, self._root(outline.func) if not first and key.count(".") == 1 else None)
+            own = func.fact.name != "<module>" and name in self.folder.flow.effects(func).own
+            return _Place(name, func if own else None)
+        return _Place(name, self._root(func) if not first and key.count(".") == 1 else None)
 
     def _root(self, func: Func) -> Cls | None:
         """The class that the classes of an object at hand have in common."""
         cls = self.folder.nesting.object_of(func)
         return self.folder.program.ancestry(cls)[-1] if cls is not None else None
 
-    def _changed_in(self, outline: Outline) -> Iterator[_Place]:
-        """Yield what the body of a function changes a part of."""
-        body = outline.func.fact.body
-        grown = {outline.effects.key(each.target) for each in body if each.type.endswith("=") and _is_text(each)}
-        for key in outline.altered - grown:
-            yield from (self._place(part, outline) for part in _ways_to(key))
+    def _changed_in(self, outline: Outline) -> Iterator[_Change]:
+        """Yield what the body of a function changes, or changes a part of; what others get is not looked into here."""
+        func, effects = outline.func, outline.effects
+        for at, entry in enumerate(func.fact.body):
+            for effect in (each for each in effects.of(at) if each.kind != "handed"):
+                yield from self._ways_to(effect.key, func, deep=effect.kind != "changed")
+            element = isinstance(entry.target, Op) and entry.target.op == "[]"
+            grown = entry.type.endswith("=") and not _is_text(entry)
+            if element or grown:
+                target = entry.target.operands[0] if isinstance(entry.target, Op) else entry.target
+                key = effects.key(target)
+                yield from self._ways_to(key or effects.root(target), func, deep=not key)
 
-    def _given(self, outline: Outline) -> Iterator[tuple[_Place, Expr]]:
+    def _ways_to(self, key: str, func: Func, deep: bool) -> Iterator[_Change]:
+        """Yield what a key stands for, and what it lies in: `t.rows.x`, `t.rows`, `t`."""
+        while key:
+            yield _Change(self._place(key, func), deep)
+            key, deep = key.rpartition(".")[0], True
+
+    def _given(self, outline: Outline) -> Iterator[_Given]:
         """Yield the names by which a function keeps something, or hands it to others, with what it is."""
         func = outline.func
         for entry in func.fact.body:
+            value, held = entry.value, isinstance(entry.value, Items | Table)
+            if value is None or is_plain(value):
+                continue
             if entry.kind == "return" or entry.type.startswith("yield"):
-                yield from [(_Place(func.fact.name), entry.value)] if entry.value is not None else ()
-            elif entry.kind != "do" and entry.value is not None and not is_plain(entry.value):
+                yield _Given(_Place(func.fact.name), value, held)
+            elif entry.kind != "do":
                 keys = (key for key in outline.bound_keys(target_of(entry)) if key)
-                yield from ((self._place(key, outline), entry.value) for key in keys)
+                within = held or isinstance(entry.target, Op) or entry.type.endswith("=")
+                yield from (_Given(self._place(key, func), value, within) for key in keys)
         for at, calls in enumerate(func.calls):
             yield from (each for call in calls for each in self._handed(call, at, outline))
         for param in func.fact.params:
             if param.default is not None and not is_plain(param.default):
-                yield _Place(param.name, func), param.default
+                yield _Given(_Place(param.name, func), param.default, isinstance(param.default, Items | Table))
 
-    def _handed(self, call: Call, at: int, outline: Outline) -> Iterator[tuple[_Place, Expr]]:
+    def _handed(self, call: Call, at: int, outline: Outline) -> Iterator[_Given]:
         """Yield the parameters that a call gives something, or the list or table that it puts something into."""
         given = [each for each in given_to(call) if not is_plain(each)]
         if not given:
             return
-        env = Env(outline.func, at, this=outline.func.cls)
-        callee = self.folder.flow.target(call, outline.func, at) or self.folder.methods.parameters.makers.of(call, env)
+        func = outline.func
+        env = Env(func, at, this=func.cls)
+        callee = self.folder.flow.target(call, func, at) or self.folder.methods.parameters.makers.of(call, env)
         if callee is not None:
             names = [param.name for param in callee.fact.params]
-            yield from ((_Place(name, callee), arg) for name, arg in zip(names, call.args, strict=False))
-            yield from ((_Place(name, callee), value) for name, value in call.keywords)
+            for name, arg in (*zip(names, call.args, strict=False), *call.keywords):
+                yield _Given(_Place(name, callee), arg, isinstance(arg, Items | Table))
         puts = isinstance(call.callee, Member) and call.callee.name in outline.effects.calls.changing
         key = outline.effects.root(call.callee.base) if puts and isinstance(call.callee, Member) else ""
-        yield from ((self._place(key, outline), value) for value in given if key)
+        yield from (_Given(self._place(key, func), value, True) for value in given if key)
 
 
 def _is_text(entry: Statement) -> bool:
     """Whether a statement adds a text or a number to something, which is a new one then."""
     return is_plain(entry.value) or makes_text(entry.value)
-
-
-def _ways_to(key: str) -> Iterator[str]:
-    """Yield a key, and what it lies in: `t.rows.x`, `t.rows`, `t`."""
-    while key:
-        yield key
-        key = key.rpartition(".")[0]

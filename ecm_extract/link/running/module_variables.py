@@ -34,7 +34,7 @@ class ModuleVariables:
 
         So do those that keep it by another name, by which somebody changes it.
         """
-        kept = {func for func, key in self.folder.kept_parts.of(name) if key == name}
+        kept = {each.func for each in self.folder.kept_parts.of(name) if each.key == name}
         return [func for func in self.folder.program.functions_in(file) if func in kept or self._changes(func, name)]
 
     def _changes(self, func: Func, name: str) -> bool:

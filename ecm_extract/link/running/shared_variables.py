@@ -41,8 +41,8 @@ class SharedVariables:
     def _is_kept(self, stated: Stated) -> bool:
         """Whether somebody keeps a list, a table or an object by another name, by which it is changed."""
         constant = stated.constant
-        for func, key in self.folder.kept_parts.of(constant.name) if not is_plain(constant.value) else ():
-            root = key.rpartition(".")[0]
+        for kept in self.folder.kept_parts.of(constant.name) if not is_plain(constant.value) else ():
+            func, key, root = kept.func, kept.key, kept.key.rpartition(".")[0]
             if self._leads_to(root, func, stated) if root or constant.scope else self._means(key, func, stated):
                 return True
         return False
