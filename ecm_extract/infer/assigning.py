@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import MOVED, Call, Expr, Items, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.bare_names import bare_names
+from ecm_extract.infer.bare_names import bare_names, shared_names
 from ecm_extract.infer.effects import is_element, is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.places import target_of
 from ecm_extract.infer.pointing import is_address, makes_pointer
 from ecm_extract.infer.run import Frame
-from ecm_extract.infer.unpacking import taken, unstarred
+from ecm_extract.infer.unpacking import handed_out
 from ecm_extract.link.code.containers import makes_tuple
 from ecm_extract.link.code.numbers import NUMBERS
 from ecm_extract.link.code.pointed import pointed
@@ -208,6 +208,10 @@ class Assigning:
         """`std::tie(a, b) = value` gives each its part; `(test ? a : b) = value` gives one or the other something."""
         if isinstance(target, Call) and isinstance(target.callee, Name) and last_name(target.callee.id) == _TIE:
             return self._unpack(Items(target.args), held, state)
+        if self.frame.python:
+            for key in {self.frame.effects.key(part) for part in shared_names(target, self.frame.body)} - {""}:
+                state = self.memory.in_place(key, Held("lost", key, before=state.holds.get(key, ())), state)
+            return state
         within = children(target) if isinstance(target, Call | Op) else ()
         return self.memory.lost(state, {self.frame.effects.root(part) for part in within} - {""})
 
@@ -226,7 +230,7 @@ class Assigning:
     def _unpack(self, target: Items, held: Held, state: State) -> State:
         """`a, b = value`: each gets its part, all of them at once."""
         value = _of_maker(held.expr, self.frame.python)
-        for item, part in _parts(target, held, value):
+        for item, part in handed_out(target, held, value):
             state = self.bind(item, part, state)
         return state
 
@@ -305,26 +309,15 @@ class Assigning:
         state = self._declared(each.target, state)
         return self.bind(each.target, Held("each", "", each.value, self.frame.place(state), at), state)
 
-    def known_element(self, target: Expr | None, item: Bound, at: int, state: State) -> State:
+    def known_element(self, each: Statement, item: Bound, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to an element that is known."""
-        state = self._declared(target, state)
+        state = self._declared(each.target, state)
         own = item.env.func is self.frame.env.func  # the place of a statement means something in its function only
-        return self.bind(target, Held("value", "", item.expr, item.env, at if own else -1), state)
+        return self.bind(each.target, Held("value", "", item.expr, item.env, at if own else -1), state)
 
 
 def _arguments(value: Expr | None) -> tuple[Expr, ...]:
     return value.args if isinstance(value, Call) else ()
-
-
-def _parts(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr, Held]]:
-    """Yield each variable of several with what it gets."""
-    if held.how == "value" and value is not None:
-        for each in taken(target.items, value):
-            yield each.target, Held("lost" if each.part is None else "value", "", each.part, held.env, held.at)
-        return
-    inner = held.how in {"each", "part"}
-    for item in target.items:
-        yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
 
 
 def _referred(value: Expr | None) -> Iterator[Expr]:

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import Call, Expr, Member, Text
 from ecm_parsers.source.flow import Block, statements
 
-from ecm_extract.infer.effects import Effect, is_plain
+from ecm_extract.infer.bare_names import shared_names
+from ecm_extract.infer.effect import Effect
+from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
@@ -102,8 +104,7 @@ class Calling:
         """
         for call in calls if self.frame.python else ():
             key = self.frame.effects.key(_receiver(call))
-            root = key or self.frame.effects.root(_receiver(call))
-            if root and key not in followed and self._may_change_part(call, at):
+            for root in self._objects_of(call) - followed if self._may_change_part(call, at) else ():
                 how: How = "handed" if key else "reached"
                 before = self.memory.known(root, state, None)
                 state = self.memory.in_place(root, Held(how, root, before=before), state)
@@ -113,6 +114,20 @@ class Calling:
                 kept = {each: state.holds[each] for each in state.holds.within(key)} if key in followed else {}
                 state = self.memory.sharers_reached({key}, state).having(kept)
         return state
+
+    def _objects_of(self, call: Call) -> set[str]:
+        """The variables of Python that hold the object that a method is called on: `a`, `a[0]`, `(a or b)`."""
+        receiver, effects = _receiver(call), self.frame.effects
+        root = effects.key(receiver) or effects.root(receiver)
+        if root or receiver is None:
+            return {root} - {""}
+        return {effects.key(each) for each in shared_names(receiver, self.frame.body)} - {""}
+
+    def changed_later(self, block: Block) -> set[str]:
+        """Return the variables of Python whose objects methods change that steps call, which run any time later."""
+        calls = ((call, at) for at in statements(block) for call in self.frame.env.func.calls[at])
+        changing = (call for call, at in calls if self.frame.python and self._may_change_part(call, at))
+        return {root for call in changing for root in self._objects_of(call)}
 
     def _may_change_part(self, call: Call, at: int) -> bool:
         """Whether a method that is not followed, be it of an element of something, may change its object."""
@@ -186,7 +201,7 @@ class Calling:
         known = [self.frame.judge.methods.changed(call, env) if self.frame.whole else None for call in calls]
         changing = [(call, members) for call, members in zip(calls, known, strict=True) if members != {}]
         if len(changing) > 1 or None in known:
-            return self.memory.lost(state, self.memory.names(key, state)) if key else self._anything(state)
+            return self.memory.object_lost(key, state) if key else self._anything(state)
         if not key:
             self.memory.show(state.holds.within(""), state)
         for call, members in changing:

@@ -27,6 +27,7 @@ class Comprehending:
 
     def begin(self, at: int) -> None:
         """Note a loop of a comprehension that stands in a later statement."""
+        self.assigning.memory.sharing.enter(self.frame.body[at])
         self._pending.append(at)
 
     def after(self, statement: Statement, at: int, state: State) -> State:
@@ -63,7 +64,7 @@ class Comprehending:
         current: State | None = state
         for item in items:
             if current is not None:
-                bound = self.assigning.known_element(each.target, item, loops[0], current)
+                bound = self.assigning.known_element(each, item, loops[0], current)
                 current = self._followed(entry, loops[1:], at, bound, seen)
         return current
 
@@ -126,7 +127,7 @@ class Comprehending:
         )
         if items is None or len(items) > MAX_ROUNDS:
             return [self.assigning.element(each, loop, state)]
-        return [self.assigning.known_element(each.target, item, loop, state) for item in items]
+        return [self.assigning.known_element(each, item, loop, state) for item in items]
 
     def _passing(self, tests: Sequence[Expr], state: State) -> State | None:
         found = [self.frame.truth(test, state) for test in tests]

@@ -178,7 +178,9 @@ class Consisting:
         open_ = [each for each in _before(held) if _is_open(each)]
         if held.expr is None and held.more is None and not open_:
             return _merged(earlier)
-        keys = frozenset([self.effects.key(each) for expr in (held.expr, held.more) for each in shared_names(expr)])
+        body = held.env.func.fact.body if held.env is not None else ()
+        named = (each for expr in (held.expr, held.more) for each in shared_names(expr, body))
+        keys = frozenset(map(self.effects.key, named))
         keys -= {""}
         there = held.env.state.holds if held.env is not None and held.env.state is not None else {}
         elsewhere = {key: frozenset(there[key]) for key in keys if key in there}

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Set
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Literal
+from typing import TYPE_CHECKING, Final
 
+import msgspec
 from ecm_parsers.source.expr import (
     THIS,
     Call,
@@ -24,7 +24,9 @@ from ecm_parsers.source.expr import (
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names, shared_names
-from ecm_extract.infer.led_into import called_with_parts, led_into
+from ecm_extract.infer.effect import Effect, Kind
+from ecm_extract.infer.given_functions import GivenFunctions
+from ecm_extract.infer.led_into import led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.infer.reading_calls import leaves_arguments
@@ -32,28 +34,12 @@ from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
 from ecm_extract.link.code.spelling import last_name, may_be_written
-from ecm_extract.link.code.walk import calls_in, given_to, last_of
+from ecm_extract.link.code.walk import given_to, last_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
 
-Kind = Literal["changed", "lost", "out", "handed", "reached", "swapped"]
-
 _SETATTR: Final = Name("setattr")
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Effect:
-    """A variable, by its key, that a call changes or may change.
-
-    Attributes:
-        name: the parameter that it is there, of `out`; the variable that it changes places with, of `swapped`.
-    """
-
-    kind: Kind
-    key: str
-    call: Call
-    name: str = ""
 
 
 class Effects:
@@ -75,6 +61,7 @@ class Effects:
         self.calls = calls_of(func.file.language)
         bases = func.cls.fact.bases if self.member and func.cls is not None else ()
         self.base = f".{last_name(bases[0])}" if bases else ""
+        self._functions = GivenFunctions(self)
         self._known: dict[int, tuple[Effect, ...]] = {}
         self._members: dict[str, bool] = {}
 
@@ -139,9 +126,14 @@ class Effects:
             while isinstance(call, Op | Member):
                 call = call.operands[0] if isinstance(call, Op) else call.base
             if isinstance(call, Call) and call is not target:
-                yield from (Effect("handed", key, call) for each in shared_names(call) if (key := self.key(each)))
+                yield from (
+                    Effect("handed", key, call)
+                    for each in shared_names(call, self.func.fact.body)
+                    if (key := self.key(each))
+                )
 
     def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:
+        call = self._on_first(call)
         callee = call.callee
         if self._swaps(call):
             yield from self._swapped(call)
@@ -157,9 +149,9 @@ class Effects:
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
         changing = isinstance(callee, Member) and last in self.calls.changing
         library = last in self.calls.reading and isinstance(callee, Name) and callee.id != last  # `std::move`
-        yield from self._by_functions(call, last, at)
+        yield from self._functions.given(call, last, at)
         within = self._put_into(call)
-        led = tuple(led_into(call, self.calls.giving)) if self.python else ()
+        led = tuple(led_into(call, self.calls.giving, self.func.fact.body)) if self.python else ()
         if not (passed or named or within or led) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
@@ -179,22 +171,18 @@ class Effects:
         if led and (target is None or any(self.targets.parameters.may(target, entry.name) for entry in params)):
             yield from (Effect("reached", key, call) for each in led if (key := self.key(each)))
 
-    def _by_functions(self, call: Call, last: str, at: int) -> Iterator[Effect]:
-        """What functions of Python do that a call gets: lambdas to objects, others where `map` and the like call them.
+    def _on_first(self, call: Call) -> Call:
+        """`list.append(rows, x)` of Python as `rows.append(x)`; any other call as it is."""
+        callee = call.callee
+        of_type = isinstance(callee, Member) and isinstance(callee.base, Name) and callee.base.id in self.calls.built_in
+        if not (of_type and isinstance(callee, Member) and call.args and self.is_of_class(callee)):
+            return call
+        return msgspec.structs.replace(call, callee=Member(call.args[0], callee.name), args=call.args[1:])
 
-        They change what these give them, and what they are methods of.
-        """
-        given = given_to(call) if self.python else ()
-        called = [each.callee for made in given if isinstance(made, Lambda) for each in calls_in(made.body)]
-        parameters = self.targets.parameters
-        if last in self.calls.calling:
-            for each in called_with_parts(call, lambda made: parameters.may_by(made, self.func, at)):
-                if key := self.key(each):
-                    yield Effect("reached" if each in given else "lost", key, call)
-            called += given
-        methods = (each for each in called if isinstance(each, Member) and each.base != THIS)
-        bases = (each.base for each in methods if parameters.changes_object(each, self.func, at))
-        yield from (Effect("lost", root, call) for base in bases if (root := self.root(base)))
+    def is_of_class(self, method: Member) -> bool:
+        """Tell whether a method of Python is none of an object that the function has, but a function of a class."""
+        root = self.root(method.base)
+        return self.python and bool(root) and not root.startswith(".") and root.partition(".")[0] not in self.own
 
     def _put_into(self, call: Call) -> list[str]:
         """The variables of Python that a call gets in a list or table, or as one of several: `work([a], b or c)`."""

@@ -145,7 +145,8 @@ class Interpreter:
     def _run_later(self, step: Later, state: State) -> State:
         """A lambda may run any time from now on: what it assigns, and what is assigned after it, is unknown to it."""
         own = (self.memory.declared_in(step.body) | set(step.params)) - {""}  # a parameter may have no name
-        inside = self.memory.changed_in(step.body) - own
+        changed = self.memory.changed_in(step.body)
+        inside = (changed | self.memory.sharing.with_shared(self.calling.changed_later(step.body))) - own
         self.memory.escaped |= inside
         for key in filter(self.memory.is_open, inside):
             self.frame.run.shown[key] += state.holds.get(key, ())  # as long as it does not run

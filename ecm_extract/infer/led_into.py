@@ -1,29 +1,31 @@
-"""Variables of Python that calls get parts of without naming them: `f(table.get("a"))`, `f(*rows)`, `map(f, rows)`."""
+"""Variables of Python that calls get parts of without naming them: `f(table.get("a"))`, `f(*rows)`."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Set
+from collections.abc import Iterator, Sequence, Set
 
-from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import given_to
 
 
-def led_into(call: Call, giving: Set[str]) -> Iterator[Expr]:
+def led_into(call: Call, giving: Set[str], body: Sequence[Statement]) -> Iterator[Expr]:
     """Yield the variables of which arguments of a call may be parts.
 
     Args:
         call: the call.
         giving: functions and methods that give parts of what they get, or are called on.
+        body: the statements of its function.
     """
     for given in given_to(call):
         arg = _indexed(given)
         if isinstance(arg, Op) and arg.op == "*" and len(arg.operands) == 1:
-            yield from shared_names(arg.operands[0])
+            yield from shared_names(arg.operands[0], body)
         elif isinstance(arg, Call) and _name(arg) in giving:
-            yield from shared_names(arg)
+            yield from shared_names(arg, body)
 
 
 def _indexed(arg: Expr) -> Expr:
@@ -33,25 +35,6 @@ def _indexed(arg: Expr) -> Expr:
     return arg
 
 
-def called_with_parts(call: Call, changes: Callable[[Call], bool]) -> Iterator[Expr]:
-    """Yield the variables whose elements a call like `map` gives to a function that may change them.
-
-    Args:
-        call: the call.
-        changes: tells whether a call may change its argument.
-    """
-    given = given_to(call)
-    parts = (*given, call.callee.base) if isinstance(call.callee, Member) else given
-    functions = [arg for arg in given if isinstance(arg, Name | Member | Lambda)]
-    for arg in parts:
-        if any(changes(Call(_as_callee(each), (arg,))) for each in functions if each is not arg):
-            yield from shared_names(arg)
-
-
 def _name(call: Call) -> str:
     callee = call.callee
     return callee.name if isinstance(callee, Member) else last_name(callee.id) if isinstance(callee, Name) else ""
-
-
-def _as_callee(function: Expr) -> Expr:
-    return Name(function.name) if isinstance(function, Lambda) else function

@@ -46,7 +46,7 @@ class Looping:
         for item in items:
             if current is None:
                 break
-            current = self.assigning.known_element(each.target, item, loop.each, current)
+            current = self.assigning.known_element(each, item, loop.each, current)
             current = self._round(loop, current)
         if not items:
             self.blocks.unreached(loop.body, self.assigning.element(each, loop.each, state))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Set
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Items, Op, Table
+from ecm_parsers.source.expr import THIS, Call, Items, Op, Table
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, statements
 
@@ -88,6 +88,12 @@ class Memory:
         parts = (part for key in lost for part in state.holds.within(key))
         return state.having(lost | {part: (Held("lost", part),) for part in parts})
 
+    def object_lost(self, key: str, state: State) -> State:
+        """The state in which nobody knows an object of a variable, nor what of Python has it as an element."""
+        if not self.frame.python:
+            return self.lost(state, self.names(key, state))
+        return self.in_place(key, Held("lost", key, before=state.holds.get(key, ())), state)
+
     def parts_lost(self, key: str, state: State) -> State:
         """Return the state in which nobody knows the fields of a variable."""
         return state.having({part: (Held("lost", part),) for part in state.holds.within(key)})
@@ -107,7 +113,7 @@ class Memory:
         """Change what a variable consists of, for all names of the same thing."""
         if self.frame.python:
             alike = self.sharing.alike(key, state)
-            others = self.sharing.reached(alike, state) | self.sharing.roots({key})
+            others = self.sharing.reached(alike | self._had_from(key, state), state) | self.sharing.roots({key})
         else:
             alike, others = self.sharing.meant(key, state)
         others = {name for name in others - alike if name in state.holds or (self.frame.python and self.is_open(name))}
@@ -125,6 +131,21 @@ class Memory:
         elements = self._elements_reached(alike, others, state) if self.frame.python else {}
         return self.reached(others, state, alike).having(elements).having(dict.fromkeys(alike, ways))
 
+    def _had_from(self, key: str, state: State) -> set[str]:
+        """What a field that the function gave nothing may be a part of: what its object is made of."""
+        within = [] if key in state.holds else [whole for whole in (*wholes(key), *owners(key)) if whole in state.holds]
+        found = self.sharing.consisting.named(within[-1:], state) - set(within)
+        return found | (self._followed_by_nobody(state) if self._has_own(found.union(within[-1:]), state) else set())
+
+    def _has_own(self, keys: Iterable[str], state: State) -> bool:
+        """Whether any of some variables is made with the object at hand."""
+        made = (held.expr for key in keys for held in all_ways(state.holds.get(key, ())))
+        return any(each == THIS for expr in made for each in shared_names(expr, self.frame.body))
+
+    def _followed_by_nobody(self, state: State) -> set[str]:
+        """The members that others change who have the object at hand."""
+        return {key for key in state.holds.within("") if not self.frame.judge.is_followed(key, self.frame.env)}
+
     def names(self, key: str, state: State) -> set[str]:
         """Return all names of what a name means."""
         return self.sharing.alike(key, state) if self.frame.python else self.sharing.names_of(key)
@@ -140,7 +161,8 @@ class Memory:
             keys |= {name + part for name in names}
             if self.frame.python:
                 perhaps |= {name + part for name in self.sharing.holding(names, state)}
-                lists |= self._taken_from(names, state)
+                roots = self.sharing.roots(names)
+                lists |= {*self._taken_from(names | roots, state), *(name for name in roots if name in state.holds)}
         unknown = {name: (Held("lost", name),) for name in perhaps - keys}
         within = {name: _elements_of(name, state.holds[name]) for name in lists - keys}
         return state.having(within).having(unknown).having(dict.fromkeys(keys, (held,)))
@@ -151,7 +173,7 @@ class Memory:
         while pending:
             ways = all_ways(state.holds.get(pending.pop(), ()))
             parts = [held.expr for held in ways if held.how != "value" or isinstance(held.expr, Op | Call)]
-            near = {self.frame.effects.key(expr) for part in parts for expr in shared_names(part)}
+            near = {self.frame.effects.key(expr) for part in parts for expr in shared_names(part, self.frame.body)}
             more = {name for name in near if name in state.holds} - found
             found |= more
             pending += more
@@ -236,7 +258,9 @@ class Memory:
         return found
 
     def _refer(self, let: Statement) -> None:
-        """Note a reference of C++, or a pointer, that is declared among steps which may run again."""
+        """Note a reference of C++, or a pointer, declared among steps which may run again, or a loop of Python."""
+        if let.kind == "each" and self.frame.python:
+            self.sharing.enter(let)
         if refers(let) and not self.frame.python:
             effects, value = self.frame.effects, let.value
             whole = effects.key(value) if not is_address(value) else ""

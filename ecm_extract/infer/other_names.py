@@ -89,7 +89,7 @@ def _named_by(entry: Statement, outline: Outline) -> Iterator[_Named]:
     value, effects = entry.value, outline.effects
     whole = value.items if isinstance(value, Items) else (value,) if entry.kind != "each" else ()
     same = {effects.key(each.operands[0] if isinstance(each, Op) and is_address(each) else each) for each in whole}
-    shared = shared_names(value) if outline.python else _sides(value)
+    shared = shared_names(value, outline.func.fact.body) if outline.python else _sides(value)
     held = {effects.root(value), *map(effects.key, shared)}
     yield from (_Named(key, key not in same) for key in same | held if key)
 

@@ -12,7 +12,8 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks, steps
 
 from ecm_extract.infer.bare_names import shared_names
-from ecm_extract.infer.effects import Effect, Effects, is_plain
+from ecm_extract.infer.effect import Effect
+from ecm_extract.infer.effects import Effects, is_plain
 from ecm_extract.infer.inner import function_named, only_called
 from ecm_extract.infer.other_names import changed_around, changed_by_other_names
 from ecm_extract.infer.places import caught_names, own_names, target_of
@@ -133,8 +134,7 @@ class Outline:
         return statement.type.endswith("=") or (statement.kind == "set" and not bare)
 
     def _shared(self, expr: Expr | None) -> Set[str]:
-        given = expr.args if isinstance(expr, Call) else ()
-        return frozenset(map(self.effects.key, shared_names(expr))).union(*map(self._shared, given))
+        return frozenset(map(self.effects.key, shared_names(expr, self.func.fact.body)))
 
     @cached_property
     def escaped(self) -> Set[str]:

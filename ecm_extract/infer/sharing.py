@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.consisting import Consisting
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.held import State, all_ways
@@ -27,7 +28,7 @@ class Sharing:
     def __init__(self, outline: Outline) -> None:
         self.outline = outline
         self.effects = outline.effects
-        self._roots: dict[str, str] = {}
+        self._roots: dict[str, Set[str]] = {}
         self._same: dict[str, str] = {}
         self._constants: dict[str, bool] = {}
         self.consisting = Consisting(outline.effects)
@@ -35,7 +36,7 @@ class Sharing:
     def refer(self, key: str, root: str, whole: str = "") -> None:
         """Note that a variable is a reference into another, `whole`: to all of that."""
         if key and root:
-            self._roots[key] = root
+            self._roots[key] = frozenset((root,))
             self._same.pop(key, None)
         if key and whole and not self.outline.python and self.outline.is_one(key) and self._is_one_place(whole):
             self._same[key] = whole
@@ -79,20 +80,22 @@ class Sharing:
 
     def enter(self, each: Statement) -> None:
         """Note that the variable of a loop is a part of what the loop is over."""
-        root = self.effects.root(each.value)
+        if self.outline.python:
+            over = {self.effects.key(part) for part in shared_names(each.value, self.outline.func.fact.body)} - {""}
+            self._roots.update(dict.fromkeys(self.outline.bound_keys(each.target), over))
+            return
         writes = each.type.endswith("&") and "const" not in each.type.split()
-        for key in self.outline.bound_keys(each.target) if self.outline.python or writes else ():
-            self.refer(key, root)
+        for key in self.outline.bound_keys(each.target) if writes else ():
+            self.refer(key, self.effects.root(each.value))
 
     def roots(self, keys: Iterable[str]) -> set[str]:
         """Return what variables are references to, or parts of, and what those are."""
         found: set[str] = set()
         pending = list(keys)
         while pending:
-            root = self._roots.get(pending.pop())
-            if root is not None and root not in found:
-                found.add(root)
-                pending.append(root)
+            more = self._roots.get(pending.pop(), frozenset()) - found
+            found |= more
+            pending += more
         return found
 
     def with_shared(self, keys: Set[str]) -> Set[str]:
@@ -105,12 +108,12 @@ class Sharing:
 
     def _meant_by(self, reference: str, key: str) -> str:
         """What a field of a reference is: `conf_.t` of `q.t` with `auto & q = conf_`, else all that it is in."""
-        root = self._roots[reference]
+        (root,) = self._roots[reference]
         return root + key.removeprefix(reference) if self._same.get(reference) == root else root
 
     def parts(self, key: str) -> set[str]:
         """Return the references to a variable, and its parts."""
-        return {name for name, root in self._roots.items() if root == key}
+        return {name for name, roots in self._roots.items() if key in roots}
 
     def alike(self, key: str, state: State) -> set[str]:
         """Return all names of the object that a name of Python is bound to."""

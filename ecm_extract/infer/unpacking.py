@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from ecm_parsers.source.expr import REST, Expr, Items, Number, Op
+from ecm_parsers.source.expr import REST, Constant, Expr, Items, Number, Op
+
+from ecm_extract.infer.held import Held
 
 
 class Taken(NamedTuple):
-    """A variable and the part that it gets; None for a part that no expression says."""
+    """A variable and the part that it gets."""
 
     target: Expr
-    part: Expr | None
+    part: Expr
 
 
 def unstarred(target: Expr) -> Expr:
@@ -29,8 +31,14 @@ def taken(targets: Sequence[Expr], value: Expr) -> Iterator[Taken]:
         if at != star:
             yield Taken(target, shown[number] if shown is not None else Op("[]", (value, Number(number))))
         else:
-            rest = shown[star : len(shown) - (len(targets) - star - 1)] if shown is not None else None
-            yield Taken(unstarred(target), Items(rest) if rest is not None else None)
+            behind = len(targets) - star - 1
+            rest = Items(shown[star : len(shown) - behind]) if shown is not None else _slice(value, star, behind)
+            yield Taken(unstarred(target), rest)
+
+
+def _slice(value: Expr, start: int, behind: int) -> Expr:
+    """What is left over of a list: `value[1:-2]`."""
+    return Op("[]", (value, Op(":", (Number(start), Number(-behind) if behind else Constant("null")))))
 
 
 def _fits(items: Sequence[Expr], targets: Sequence[Expr], star: int) -> bool:
@@ -42,3 +50,14 @@ def _fits(items: Sequence[Expr], targets: Sequence[Expr], star: int) -> bool:
 def _is_spread(item: Expr) -> bool:
     """Tell whether an element of a display stands for all of another list: `[*names, last]`."""
     return isinstance(item, Op) and item.op == "*" and len(item.operands) == 1
+
+
+def handed_out(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr, Held]]:
+    """Yield each variable of several with what it gets."""
+    if held.how == "value" and value is not None:
+        for each in taken(target.items, value):
+            yield each.target, Held("value", "", each.part, held.env, held.at)
+        return
+    inner = held.how in {"each", "part"}
+    for item in target.items:
+        yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)

@@ -113,10 +113,10 @@ class Linker:
         self.types = Types(self.folder)
         self.qos = QosReader(self.folder)
         matcher = Matcher(forms, self.folder)
-        self.forms = forms.keys()
         self.registry = registry = build_registry(self.program, packages)
         also, plugins = (*observation_forms(), *SUMMARIES, LISTENER), plugins_of(self.program, registry)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
+        self.unmodelled = Unmodelled(self.folder, self.sites.calls.keys() | forms.keys())
         makers = SeenMakers(self.program, registry.classes)
         self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, makers))
         self.folder.prefixes = self.handles.prefix
@@ -169,7 +169,7 @@ class Linker:
         self._given_out(stamps(self.sites), self._stamped)
         self._given_out(diagnoses(self.sites), self._diagnosed)
         self._local |= with_own_names(self._local, self.packages, self.registry)
-        return [self._linked(module, found, nodes) for module in _ordered(self.modules.all())]
+        return [self._linked(module, found, nodes) for module in self.modules.in_order()]
 
     def _generate(self, found: dict[Module, list[Interface]]) -> None:
         """Give what build files generate to the modules whose units use it."""
@@ -182,8 +182,7 @@ class Linker:
 
     def tell(self, tree: Tree) -> None:
         """Report the places whose values were not computed to the end to the tree that they stand in."""
-        unmodelled = Unmodelled(self.folder, self.sites.calls.keys() | self.forms).told()
-        for entry in (*self.folder.steps.left_out(), *self.folder.faults.told(), *unmodelled):
+        for entry in (*self.folder.steps.left_out(), *self.folder.faults.told(), *self.unmodelled.told()):
             tree.report(entry)
 
     def _given_out(self, found: Iterable[tuple[Unit, _Found]], by_module: dict[Module, list[_Found]]) -> None:
@@ -347,7 +346,3 @@ class Linker:
 def _key(interface: Interface) -> tuple[str, str, str | None]:
     """What an endpoint is found by in `LinkedModule.local`."""
     return interface.role, interface.name, interface.type
-
-
-def _ordered(modules: Iterable[Module]) -> list[Module]:
-    return sorted(modules, key=lambda module: (module.package, module.name, module.path, module.line))

@@ -62,12 +62,16 @@ class File:
 
 @dataclass(slots=True, eq=False, repr=False)
 class Func:
-    """A function with the file it stands in, for a method its class, and all functions of its name."""
+    """A function with the file it stands in, for a method its class, and all functions of its name.
+
+    `is_wrapped`: whether it may get something else than what a call of it writes (`link.index.wrapped`).
+    """
 
     fact: Function
     file: File
     cls: Cls | None = None
     namesakes: Sequence[Func] = ()
+    is_wrapped: bool = False
     _params: tuple[Parameter, ...] | None = None
     _arity: tuple[int, float] | None = None
     _calls: tuple[Sequence[Call], ...] | None = None

@@ -61,3 +61,8 @@ class Site:
         """Yield (path, line), outermost call first, and where the site itself stands last."""
         found = [(call.func.file.path, call.line) for call in (*self.chain, self.call)]
         yield from reversed(dict.fromkeys(reversed(found)))
+
+
+def overrides(func: Func) -> bool:
+    """Tell whether whoever calls a function may know its base class only, as the host of a plugin does."""
+    return "override" in func.fact.traits

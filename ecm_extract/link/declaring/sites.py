@@ -23,7 +23,7 @@ from ecm_extract.link.declaring.match import Matcher, name_argument
 from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
 from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.declaring.prefixes import prefixed
-from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.declaring.site import Site, overrides
 from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.transports import transported
@@ -344,8 +344,3 @@ class Sites:
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""
         return self.making.makes(call, cls)
-
-
-def overrides(func: Func) -> bool:
-    """Tell whether whoever calls a function may know its base class only, as the host of a plugin does."""
-    return "override" in func.fact.traits

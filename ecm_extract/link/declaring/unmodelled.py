@@ -1,10 +1,11 @@
-"""Functions of C++ that no source shows and no row tells of, which get a node and a name: what they declare is missing."""
+"""Functions of C++ that no source shows and no row tells of, which get a node and a name: what they declare."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Set
 from typing import Final
 
+from ecm_parsers.source.cpp_logging import is_printing
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.code.spelling import last_name, plain
@@ -57,7 +58,7 @@ class Unmodelled:
         name, space = last_of(call.callee), _called(call).partition("::")[0]
         if name in self.known or space in _LANGUAGE or is_client_library(space):
             return False
-        if name in self.program.functions or name in self.program.classes or name in self.program.macros:
+        if name in self.program.functions or name in self.program.classes or is_printing(name):
             return False
         return any(self._is_node(arg, env) for arg in given_to(call))
 

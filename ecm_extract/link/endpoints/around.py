@@ -7,8 +7,8 @@ from typing import Generic, TypeVar
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.declaring.site import Site
-from ecm_extract.link.declaring.sites import Sites, overrides
+from ecm_extract.link.declaring.site import Site, overrides
+from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.owning.modules import Modules
 from ecm_extract.link.running.env import Env
 

@@ -43,7 +43,11 @@ class ChangedProfiles:
         root = outline.effects.root(element.callee if isinstance(element, Call) else element)
         fields = {key.rpartition(".")[0] for key in outline.changes if "." in key[1:]} if outline.python else set()
         named = (each for each in env.func.fact.body if fields.intersection(outline.bound_keys(each.target)))
-        return any(outline.effects.key(one) == root for each in named for one in shared_names(each.value))
+        return any(
+            outline.effects.key(one) == root
+            for each in named
+            for one in shared_names(each.value, outline.func.fact.body)
+        )
 
 
 def _changes(outline: Outline, name: str) -> bool:

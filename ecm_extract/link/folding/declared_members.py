@@ -22,8 +22,12 @@ _LEFT_ALONE = frozenset({"given", "shared"})
 def only_source(
     expr: Name | Member, given: Sequence[tuple[Held, Env]], env: Env, folder: Folder
 ) -> tuple[Held, Env] | None:
-    """Return the one thing that methods give a list or a table; None where it may also be as its class declares it."""
+    """Return the one thing that methods give a list or a table; None where it may also be as its class declares it.
+
+    None, too, where functions that have the object of the member change it.
+    """
     is_one = len(given) == 1 and not _may_be_as_declared(expr, given[0][1].func, env, folder)
+    is_one = is_one and not folder.lists.is_others(expr, env)
     return given[0] if is_one else None
 
 

@@ -68,6 +68,7 @@ from ecm_extract.link.running.faults import Faults
 from ecm_extract.link.running.first_methods import FirstMethods
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
+from ecm_extract.link.running.kept_parts import KeptParts
 from ecm_extract.link.running.kept_references import KeptReferences
 from ecm_extract.link.running.lasting import LastingVariables
 from ecm_extract.link.running.lasting_states import LastingStates
@@ -190,6 +191,7 @@ class Folder:
         self.lasting_states = LastingStates(self)
         self.lent = Lent(self)
         self.kept_references = KeptReferences(self)
+        self.kept_parts = KeptParts(self)
         self.python_fields = PythonFields(self)
         self.methods = MethodEffects(self)
         self.untold = Untold(self)

@@ -12,8 +12,8 @@ from ecm_parsers.source.expr import Expr, Name
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children
-from ecm_extract.link.declaring.site import Site
-from ecm_extract.link.declaring.sites import Sites, overrides
+from ecm_extract.link.declaring.site import Site, overrides
+from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.owning.references import References
 
 

@@ -227,6 +227,10 @@ class Modules:
         """Return every module found so far."""
         return [*self.by_class.values(), *self.programs(), *self.libraries.values()]
 
+    def in_order(self) -> list[Module]:
+        """Return every module found so far, in a stable order."""
+        return sorted(self.all(), key=lambda module: (module.package, module.name, module.path, module.line))
+
     def programs(self) -> Sequence[Module]:
         """Return every program found so far; one whose main function several targets compile for each of them."""
         started = dict.fromkeys(self.by_main.values())

@@ -6,8 +6,8 @@ from typing import Final
 
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.client_libraries import is_client_library
-from ecm_extract.link.declaring.site import Site
-from ecm_extract.link.declaring.sites import Sites, overrides
+from ecm_extract.link.declaring.site import Site, overrides
+from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.owning.constructors import Constructors
 from ecm_extract.link.owning.decided import Decided
 from ecm_extract.link.owning.leads import mentions_of_constant

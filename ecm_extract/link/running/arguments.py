@@ -32,7 +32,10 @@ class _Given(NamedTuple):
 
 
 def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
-    """Return what the parameters of `callee` are at a call: arguments, keywords, then defaults."""
+    """Return what the parameters of `callee` are at a call: arguments, keywords, then defaults; open if wrapped."""
+    if callee.is_wrapped:
+        names = [parameter.name.lstrip("*") for parameter in callee.params]
+        return {name: Bound(Opaque(name), Env(callee, depth=env.depth)) for name in names}
     given = _given(call, env)
     own = {parameter.name for parameter in callee.params}
     bound: dict[str, Bound] = {}

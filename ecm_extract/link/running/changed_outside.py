@@ -108,12 +108,16 @@ class ChangedOutside:
     def _changing(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:
         """Name of a field -> the functions that change it, or a part of it, with the object that it lies in."""
         found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
+        kept = ((each.func, each.key) for each in self.folder.kept_parts.all())
+        for func, key in (*self._changed_keys(), *kept):
+            for owner, field in _owned(key):
+                found[field].append((func, owner))
+        return found
+
+    def _changed_keys(self) -> Iterator[tuple[Func, str]]:
         for func in self.functions:
             outline = self.folder.flow.outline(func)
-            for key in {*outline.changes, *outline.altered, *self._lent(func)}:
-                for owner, field in _owned(key):
-                    found[field].append((func, owner))
-        return found
+            yield from ((func, key) for key in {*outline.changes, *outline.altered, *self._lent(func)})
 
     def _lent(self, func: Func) -> Iterator[str]:
         """The members that a function of C++ binds to a reference, or takes the address of."""

@@ -31,11 +31,11 @@ class ChangedParameters:
         self._changing: dict[tuple[Func, str], bool] = {}
         self._hidden: dict[tuple[Func, str], bool] = {}
         self._fields: dict[tuple[Func, str], Set[str] | None] = {}
-        self._by_makers = LeftByMakers(folder)
+        self.makers = LeftByMakers(folder)
 
     def is_left(self, call: Call, arg: Expr, func: Func, at: int) -> bool:
         """Tell whether the class of Python that a call makes an object of leaves an argument alone and keeps it not."""
-        return self._by_makers.is_left(call, arg, func, at)
+        return self.makers.is_left(call, arg, func, at)
 
     def may(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of; in C++ the fields of that."""

@@ -1,6 +1,7 @@
 """Functions that somebody gets, by a form that is not read as a call: who has one may call it with anything.
 
-In C++ their address, `threads.emplace_back(&Node::run, this, "x")`; in Python they themselves, `later(self.run)`.
+In C++ their address, `threads.emplace_back(&Node::run, this, "x")`; in Python they themselves, or variables that hold
+them: `later(self.run)`, `jobs = [(self.run, "x")]`, `return self.run`.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.cpp_invoking import called_by
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Table
 
 from ecm_extract.infer.pointing import is_address
 from ecm_extract.link.code.callables import callable_of
@@ -40,18 +41,64 @@ class GivenFunctions:
     def _given_in(self, file: File) -> Set[Expr]:
         known = self._given.get(file)
         if known is None:
-            named = _addresses(file, self.program) if file.language == "cpp" else self._arguments(file)
+            named = _addresses(file, self.program) if file.language == "cpp" else self._mentions(file)
             known = self._given[file] = frozenset(named)
         return known
 
-    def _arguments(self, file: File) -> Iterator[Expr]:
-        """What functions of Python in a file give to calls, but for those of the tree that only call it."""
+    def _mentions(self, file: File) -> Iterator[Expr]:
+        """The functions of Python that a file names without calling them, but for where they are only called later."""
         for func in self.program.functions_in(file):
-            calls = (call for group in func.calls for call in group)
-            for call in (call for call in calls if callable_of(call, file.imported) is None):  # no partial
-                for index, arg in enumerate(given_to(call)):
-                    if isinstance(arg, Name | Member) and not self.folder.lent.is_lent(call, func, index):
-                        yield Member(_ANY, arg.name) if isinstance(arg, Member) else arg
+            inner = self.folder.nesting.inner(func)  # who gets one of these is read with it (`declaring.closures`)
+            for entry in func.fact.body:
+                settled = entry.kind != "do" and _is_settled(entry.target, func) and not isinstance(entry.value, Call)
+                made = entry.kind == "return" and any(entry.value == Name(each.fact.name) for each in inner)
+                for part in (None if settled or made else entry.value, _within(entry.target)):
+                    yield from self._named_in(part, func) if part is not None else ()
+
+    def _named_in(self, expr: Expr, func: Func) -> Iterator[Expr]:
+        """What an expression names that is no callee, nor lent to a function of the tree that only calls it."""
+        if isinstance(expr, Name):
+            held = func.callables.variables.get(expr.id)
+            own = expr.id in self.folder.flow.effects(func).own
+            yield from _stood_for(held) if held is not None else [] if own else [expr]
+        elif isinstance(expr, Member):
+            held = func.callables.members.get(expr.name) if expr.base == THIS else None
+            yield from [Member(_ANY, expr.name)] if held is None else _stood_for(held)
+            yield from self._named_in(expr.base, func)
+        elif isinstance(expr, Call):
+            given = given_to(expr)
+            partial = callable_of(expr, func.file.imported) is not None  # what that is of is read as called
+            left = [at for at in range(len(given)) if (partial and not at) or self.folder.lent.is_lent(expr, func, at)]
+            callee = expr.callee.base if isinstance(expr.callee, Member) else expr.callee
+            parts = [arg for at, arg in enumerate(given) if at not in left]
+            for part in (*parts, *([] if isinstance(expr.callee, Name) or func.meant(expr) != expr else [callee])):
+                yield from self._named_in(part, func)
+        else:
+            for part in children(expr):
+                yield from self._named_in(part, func)
+
+
+def _is_settled(target: Expr | None, func: Func) -> bool:
+    """Whether a statement gives a variable or member of Python a function by which that is only called."""
+    if isinstance(target, Name):
+        return target.id in func.callables.variables
+    return isinstance(target, Member) and target.base == THIS and target.name in func.callables.members
+
+
+def _within(target: Expr | None) -> Expr | None:
+    """What is named in what a statement gives something: of a variable, or a field of one, nothing."""
+    return None if isinstance(target, Name | Member) else target
+
+
+def _stood_for(held: Expr) -> Iterator[Expr]:
+    """The functions that a variable holds, through partials, or in a table."""
+    while isinstance(held, Call) and held.args:
+        held = held.args[0]
+    if isinstance(held, Table):
+        for _, value in held.entries:
+            yield from _stood_for(value)
+    else:
+        yield Member(_ANY, held.name) if isinstance(held, Member) else held
 
 
 def _as_given(func: Func) -> Expr:

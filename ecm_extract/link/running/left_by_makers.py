@@ -28,7 +28,7 @@ class LeftByMakers:
     def is_left(self, call: Call, arg: Expr, func: Func, at: int) -> bool:
         """Tell whether the class that a call makes an object of leaves an argument alone, and keeps it nowhere."""
         env = Env(func, at, this=func.cls)
-        maker = self._maker(call, env)
+        maker = self.of(call, env)
         if maker is None:
             return False
         names = [name for name, bound in bind(maker, invocation_of(call, env), env).items() if bound.expr is arg]
@@ -38,8 +38,8 @@ class LeftByMakers:
         """Whether a constructor may change a parameter, or keeps it."""
         return self.folder.methods.parameters.may(maker, name) or self._keeps(maker, name)
 
-    def _maker(self, call: Call, env: Env) -> Func | None:
-        """The constructor that a call of a class runs."""
+    def of(self, call: Call, env: Env) -> Func | None:
+        """Return the constructor that a call of a class runs; None of other calls."""
         name = (dotted(call.callee) or "").replace(".", "::")
         own = isinstance(call.callee, Name) and call.callee.id in self.folder.flow.effects(env.func).own
         cls = self.folder.program.class_named(name, env.func.file, env.func.scope) if name and not own else None

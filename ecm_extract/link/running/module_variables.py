@@ -30,8 +30,12 @@ class ModuleVariables:
         self._known.clear()
 
     def changers(self, name: str, file: File) -> list[Func]:
-        """Return the functions of a module that may change a variable of it: they assign it, or call a method of it."""
-        return [func for func in self.folder.program.functions_in(file) if self._changes(func, name)]
+        """Return the functions of a module that may change a variable of it: they assign it, or call a method of it.
+
+        So do those that keep it by another name, by which somebody changes it.
+        """
+        kept = {each.func for each in self.folder.kept_parts.of(name) if each.key == name}
+        return [func for func in self.folder.program.functions_in(file) if func in kept or self._changes(func, name)]
 
     def _changes(self, func: Func, name: str) -> bool:
         outline = self.folder.flow.outline(func)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
-from ecm_extract.infer.held import Held
+from ecm_extract.infer.held import Held, all_ways
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance
 
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
 _NO_BODY: Final = frozenset({"declaration", "deleted"})
+_CHANGED: Final = frozenset({"handed", "reached", "out", "lost"})
+"""Ways to hold an object of Python of which somebody may have changed what it consists of."""
 MAX_HANDED = 12
 """Functions that hand an object on, each to the next."""
 
@@ -47,12 +49,19 @@ class ObjectMakers:
     def of_python(self, expr: Expr, env: Env) -> Env | None:
         """Return the beginning of the constructor that makes an object of Python, through variables and callers."""
         for _ in range(MAX_HANDED):
+            if isinstance(expr, Name | Member) and self._is_had_by_others(expr, env):
+                return None
             helds = self.folder.origins.of(expr, env) if isinstance(expr, Name | Member) else []
             held = helds[0] if len(helds) == 1 else None
             if held is None or held.how != "value" or held.expr is None:
                 break
             expr, env = held.expr, held.env or env
         return self.folder.states.constructor(expr, env) if isinstance(expr, Call) else None
+
+    def _is_had_by_others(self, expr: Expr, env: Env) -> bool:
+        """Whether somebody may have changed what an object of Python consists of, by whatever he has it from."""
+        ways = self.folder.flow.ways(expr, env)
+        return any(held.how in _CHANGED for way in ways for held in all_ways(way))
 
     def left_in(self, expr: Member, env: Env) -> tuple[Held, Env] | None:
         """Return what its constructor leaves a member of the one object of Python with, which nobody changes later."""

@@ -7,6 +7,7 @@ from functools import partial
 from ecm_extract.link.code.units import File
 from ecm_extract.link.index.contexts import settle_contexts
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.index.wrapped import settle_wrapped
 from ecm_extract.link.running.bound_methods import settle_bound_methods
 from ecm_extract.link.running.members_of_bases import settle_members_of_bases
 from ecm_extract.link.running.objects import Objects
@@ -14,12 +15,13 @@ from ecm_extract.link.running.scope import Scope
 
 
 def settle(program: Program) -> None:
-    """Read members of several classes, calls by pointers to methods, and contexts, as the tree says."""
+    """Read members of several classes, calls by pointers to methods, contexts, and what stands around functions."""
     for file in program.files:
         file.returned = partial(_returned, program, file)
     settle_members_of_bases(program)
     settle_bound_methods(Objects(program, Scope(program)))
     settle_contexts(program)
+    settle_wrapped(program)
 
 
 def _returned(program: Program, file: File, name: str, scope: str) -> frozenset[str]:

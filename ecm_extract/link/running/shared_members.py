@@ -105,7 +105,9 @@ def _within(outline: Outline) -> Iterator[_Flows]:
 
 def _names(value: Expr | None, outline: Outline) -> Set[str]:
     """The variables that a value names, by key."""
-    named = {outline.effects.key(each) or outline.effects.root(each) for each in shared_names(value)}
+    named = {
+        outline.effects.key(each) or outline.effects.root(each) for each in shared_names(value, outline.func.fact.body)
+    }
     return frozenset(named - {""})
 
 

@@ -34,8 +34,18 @@ class SharedVariables:
         known = self._known.get(stated)
         if known is None:
             name = stated.constant.name
-            known = self._known[stated] = any(self._changes(func, stated) for func in self._by_name().get(name, ()))
+            changed = any(self._changes(func, stated) for func in self._by_name().get(name, ()))
+            known = self._known[stated] = changed or self._is_kept(stated)
         return known
+
+    def _is_kept(self, stated: Stated) -> bool:
+        """Whether somebody keeps a list, a table or an object by another name, by which it is changed."""
+        constant = stated.constant
+        for kept in self.folder.kept_parts.of(constant.name) if not is_plain(constant.value) else ():
+            func, key, root = kept.func, kept.key, kept.key.rpartition(".")[0]
+            if self._leads_to(root, func, stated) if root or constant.scope else self._means(key, func, stated):
+                return True
+        return False
 
     def _changes(self, func: Func, stated: Stated) -> bool:
         name, outline = stated.constant.name, self.folder.flow.outline(func)

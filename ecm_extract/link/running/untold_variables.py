@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Op, Table
 
-from ecm_extract.infer.effects import Kind
+from ecm_extract.infer.effect import Kind
 from ecm_extract.infer.places import target_of
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.spelling import by_value, pointee, template_arguments

@@ -8,7 +8,7 @@ value is `let`.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Literal
+from typing import Final, Literal
 
 from tree_sitter import Node
 
@@ -30,6 +30,12 @@ _DISPLAYS = ("tuple", "list", "expression_list")
 _LITERALS = frozenset(("string", "concatenated_string", "integer", "float", "true", "false", "none"))
 
 
+_ASKED: Final = frozenset({"attribute", "subscript"})
+"""Expressions that raise where there is no such thing, for which people ask for them: `try: table["x"]`."""
+_DIVIDING: Final = frozenset({"/", "//", "%"})
+"""Operators that raise for zero."""
+
+
 def _expression(scan: Scan, node: Node) -> None:
     for child in node.children:
         kind = child.type
@@ -37,6 +43,8 @@ def _expression(scan: Scan, node: Node) -> None:
             _assignment(scan, child)
         elif kind == "augmented_assignment":
             _augmented(scan, child)
+        elif kind in _ASKED or any(each.type in _DIVIDING for each in child.children):
+            scan.emit("do", child, scan.expr(child))
         elif kind != "string" and not _field(scan, child):
             scan.do(child)
 

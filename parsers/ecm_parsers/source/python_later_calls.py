@@ -77,10 +77,8 @@ def later_call(scan: Scan, node: Node, call: Call) -> Call | Lambda:
     imported = Imported.of(scan.imports)
     name = imported.full(scan.text(node.children[0]))
     row = _table().functions.get(name)
-    if name in _table().partials and _is_argument(node) and _is_callable(call.args[:1]):
-        return _lambda(
-            scan, node, _Asked(call.args[0], (*call.args[1:], Op("*", (Name(_REST),))), call.keywords), _REST
-        )
+    if name in _table().partials:
+        return _of_partial(scan, node, _as_one(call, imported), imported)
     if row is not None:
         asked = _of_function(call, row)
         return _with_lambda(scan, node, call, row, asked) if asked is not None else call
@@ -88,6 +86,36 @@ def later_call(scan: Scan, node: Node, call: Call) -> Call | Lambda:
         asked = _Asked(call.args[0], call.args[1:], call.keywords)
         return msgspec.structs.replace(call, args=(_lambda(scan, node, asked), *call.args[1:]))
     return call
+
+
+def _of_partial(scan: Scan, node: Node, call: Call, imported: Imported) -> Call | Lambda:
+    if not _is_argument(node) or _is_within_partial(scan, node, imported) or not _is_callable(call.args[:1]):
+        return call
+    asked = _Asked(call.args[0], (*call.args[1:], Op("*", (Name(_REST),))), call.keywords)
+    return _lambda(scan, node, asked, _REST)
+
+
+def _as_one(call: Call, imported: Imported) -> Call:
+    """`partial(partial(f, a), b)` as `partial(f, a, b)`."""
+    inner = call.args[0] if call.args else None
+    if not isinstance(inner, Call) or not inner.args or imported.full(_dotted(inner.callee)) not in _table().partials:
+        return call
+    given = dict(call.keywords)
+    pairs = zip(inner.keywords, inner.keyword_lines, strict=True)
+    kept = [(each, line) for each, line in pairs if each[0] == "**" or each[0] not in given]
+    keywords = (*(each for each, _ in kept), *call.keywords)
+    lines = (*(line for _, line in kept), *call.keyword_lines)
+    args = (*inner.args, *call.args[1:])
+    return msgspec.structs.replace(call, args=args, keywords=keywords, keyword_lines=lines)
+
+
+def _is_within_partial(scan: Scan, node: Node, imported: Imported) -> bool:
+    """Whether a call is what a partial is of."""
+    listed = node.parent
+    around = listed.parent if listed is not None and listed.type == "argument_list" else None
+    callee = around.child_by_field_name("function") if around is not None else None
+    first = listed is not None and listed.named_children[:1] == [node]
+    return first and callee is not None and imported.full(scan.text(callee)) in _table().partials
 
 
 def _is_argument(node: Node) -> bool:

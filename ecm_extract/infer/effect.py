@@ -1,0 +1,24 @@
+"""What a call does to a variable."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from ecm_parsers.source.expr import Call
+
+Kind = Literal["changed", "lost", "out", "handed", "reached", "swapped"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Effect:
+    """A variable, by its key, that a call changes or may change.
+
+    Attributes:
+        name: the parameter that it is there, of `out`; the variable that it changes places with, of `swapped`.
+    """
+
+    kind: Kind
+    key: str
+    call: Call
+    name: str = ""
