@@ -10,12 +10,12 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names, shared_names
 from ecm_extract.infer.effects import is_element, is_plain
+from ecm_extract.infer.handing_out import handed_out
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.places import target_of
 from ecm_extract.infer.pointing import is_address, makes_pointer
 from ecm_extract.infer.run import Frame
-from ecm_extract.infer.unpacking import handed_out
 from ecm_extract.link.code.containers import makes_tuple
 from ecm_extract.link.code.numbers import NUMBERS
 from ecm_extract.link.code.pointed import pointed

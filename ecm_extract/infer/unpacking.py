@@ -7,8 +7,6 @@ from typing import NamedTuple
 
 from ecm_parsers.source.expr import REST, Constant, Expr, Items, Number, Op
 
-from ecm_extract.infer.held import Held
-
 
 class Taken(NamedTuple):
     """A variable and the part that it gets."""
@@ -50,14 +48,3 @@ def _fits(items: Sequence[Expr], targets: Sequence[Expr], star: int) -> bool:
 def _is_spread(item: Expr) -> bool:
     """Tell whether an element of a display stands for all of another list: `[*names, last]`."""
     return isinstance(item, Op) and item.op == "*" and len(item.operands) == 1
-
-
-def handed_out(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr, Held]]:
-    """Yield each variable of several with what it gets."""
-    if held.how == "value" and value is not None:
-        for each in taken(target.items, value):
-            yield each.target, Held("value", "", each.part, held.env, held.at)
-        return
-    inner = held.how in {"each", "part"}
-    for item in target.items:
-        yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)

@@ -1,0 +1,21 @@
+"""What each of several variables holds that take a value apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_parsers.source.expr import Expr, Items
+
+from ecm_extract.infer.held import Held
+from ecm_extract.infer.unpacking import taken, unstarred
+
+
+def handed_out(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr, Held]]:
+    """Yield each variable of several with what it gets."""
+    if held.how == "value" and value is not None:
+        for each in taken(target.items, value):
+            yield each.target, Held("value", "", each.part, held.env, held.at)
+        return
+    inner = held.how in {"each", "part"}
+    for item in target.items:
+        yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
