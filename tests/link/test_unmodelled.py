@@ -1,0 +1,44 @@
+"""Functions outside of the tree that get a node and a name are a gap; all that is known is none."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from ecm_extract.extraction import extract
+from ecm_extract.extraction_model import Options
+from ecm_extract.tree import open_tree
+
+CMAKE = "project(pkg)\nadd_executable(demo src/demo.cpp)\n"
+MAIN = """
+#include <ros/ros.h>
+#include <outside/helpers.h>
+{head}
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "demo");
+  ros::NodeHandle nh;
+  double rate = 0;
+  {call}
+}}
+"""
+CALLS = {
+    "a function outside": ("", 'outside::readParameter(nh, "rate", rate);', ["outside::readParameter"]),
+    "a pointer": ("", 'outside::readParameter(&nh, "rate", rate);', ["outside::readParameter"]),
+    "called twice": ("", 'outside::read(nh, "a", rate); outside::read(nh, "b", rate);', ["outside::read"]),
+    "a function of the tree": ("void ask(ros::NodeHandle & nh, const char * name) {}", 'ask(nh, "rate");', []),
+    "no node": ("", 'outside::readParameter("rate", rate);', []),
+    "no name": ("", "outside::readParameter(nh, rate);", []),
+    "a client library": ("", 'ros::NodeHandle inner(nh, "inner"); nh.param("rate", rate, 1.0);', []),
+    "a macro that prints": ("", 'ROS_INFO("%p of %f", &nh, rate);', []),
+}
+
+
+@pytest.mark.parametrize(("head", "call", "expected"), CALLS.values(), ids=CALLS)
+def test_who_gets_a_node_and_a_name_is_told(workspace: Any, head: str, call: str, expected: list[str]) -> None:
+    """Each function once for a file, as something that was not judged."""
+    workspace.package({"CMakeLists.txt": CMAKE, "src/demo.cpp": MAIN.format(head=head, call=call)}, ros=1)
+    found = extract(open_tree(workspace.root), Options(jobs=1))
+    told = [entry for entry in found.diagnostics if entry.code == "handle-given-outside"]
+    assert [entry.message.partition(" ")[0] for entry in told] == expected
+    assert [entry.reason for entry in found.unread] == ["unjudged"] * len(expected)
