@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
@@ -60,8 +60,8 @@ class ReturnFolder:
         found = self.returned(callee, call, env)
         if not found or len(found) > MAX_RETURNS:
             return (unknown(call.last),)
-        excluded = self.folder.excluded
-        values = [value for expr, at in found for value in excluded.without(self.folder.fold(expr, at), at)]
+        folded = [(value, at) for expr, at in found for value in self.folder.fold(expr, at)]
+        values = [each for value, at in _beside_joined(folded) for each in self.folder.excluded.without((value,), at)]
         if call.receiver is not None and not is_own(call.receiver):
             values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
             if self._made(callee, call, env) is None:
@@ -70,9 +70,8 @@ class ReturnFolder:
         open_ = self._has_given_fields(callee, call, env) or (
             any(value.confidence != "pattern" for value in values) and self._is_of_touched(callee, call, env)
         )
-        listed = _beside_joined(values)
         rest = [other] if other is not None else [unknown(call.last)] if open_ else []
-        return alternatives(demoted((*listed, *rest)))
+        return alternatives(demoted((*values, *rest)))
 
     def _has_given_fields(self, callee: Func, call: Invocation, env: Env) -> bool:
         """Whether the function at hand gives fields of an object something, which its method is not followed with."""
@@ -237,7 +236,7 @@ def _wanted(func: Func, at: int) -> str:
     return kind_of_type(written) if plain(written) != "bool" else ""
 
 
-def _beside_joined(values: list[Value]) -> list[Value]:
+def _beside_joined(values: Sequence[tuple[Value, Env]]) -> Iterator[tuple[Value, Env]]:
     """Drop `x` beside `namespace + "/x"`: what a helper joins when it is relative it hands back when it is absolute."""
-    joined_texts = {text for value in values if (text := below_namespace(value)) is not None}
-    return [value for value in values if value.text not in joined_texts or value.text.startswith("/")]
+    joined_texts = {text for value, _ in values if (text := below_namespace(value)) is not None}
+    return ((value, at) for value, at in values if value.text not in joined_texts or value.text.startswith("/"))
