@@ -166,7 +166,7 @@ class KeptParts:
         func = outline.func
         for entry in func.fact.body:
             value, held = entry.value, isinstance(entry.value, Items | Table)
-            if value is None or is_plain(value):
+            if value is None or is_plain(value) or (entry.kind == "each" and self._is_of_plain(value, outline)):
                 continue
             if entry.kind == "return" or entry.type.startswith("yield"):
                 yield _Given(_Place(func.fact.name), value, held)
@@ -179,6 +179,13 @@ class KeptParts:
         for param in func.fact.params:
             if param.default is not None and not is_plain(param.default):
                 yield _Given(_Place(param.name, func), param.default, isinstance(param.default, Items | Table))
+
+    def _is_of_plain(self, value: Expr, outline: Outline) -> bool:
+        """Whether a loop is over texts or numbers that are written out: nobody can change them."""
+        if isinstance(value, Name) and value.id not in outline.effects.own:
+            found = self.folder.scope.constant(value.id, Env(outline.func))
+            value = found[0].value or value if found is not None else value
+        return isinstance(value, Items) and all(map(is_plain, value.items))
 
     def _handed(self, call: Call, at: int, outline: Outline) -> Iterator[_Given]:
         """Yield the parameters that a call gives something, or the list or table that it puts something into."""
