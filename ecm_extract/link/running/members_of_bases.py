@@ -68,6 +68,14 @@ class _Members:
         self.objects = objects
         self.program = objects.program
         self.renamed = renamed
+        self._own_names: dict[Func, Set[str]] = {}
+
+    def own_names(self, func: Func) -> Set[str]:
+        """Return the names that belong to a function; each is asked about once."""
+        known = self._own_names.get(func)
+        if known is None:
+            known = self._own_names[func] = own_names(func.fact, python=False)
+        return known
 
     def functions(self) -> Iterator[Func]:
         """Yield the functions that name a member which is called otherwise, or write one with its class."""
@@ -184,7 +192,7 @@ class _Read:
     def _is_local(self, name: str) -> bool:
         around = self.members.objects.scope.nesting.around
         held = (self.func, *around(self.func)) if self.func is not None else ()
-        return any(name in own_names(func.fact, python=False) for func in held)
+        return any(name in self.members.own_names(func) for func in held)
 
 
 def _named_by_class(file: File) -> Iterator[str]:
