@@ -25,7 +25,7 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names, shared_names
 from ecm_extract.infer.effect import Effect, Kind
-from ecm_extract.infer.given_functions import GivenFunctions
+from ecm_extract.infer.handed_functions import HandedFunctions
 from ecm_extract.infer.led_into import led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
@@ -61,7 +61,7 @@ class Effects:
         self.calls = calls_of(func.file.language)
         bases = func.cls.fact.bases if self.member and func.cls is not None else ()
         self.base = f".{last_name(bases[0])}" if bases else ""
-        self._functions = GivenFunctions(self)
+        self._functions = HandedFunctions(self)
         self._known: dict[int, tuple[Effect, ...]] = {}
         self._members: dict[str, bool] = {}
 

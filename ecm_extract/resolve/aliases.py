@@ -30,6 +30,8 @@ class Aliases:
         found: dict[str, list[Declared]] = defaultdict(list)
         for file in files:
             for alias in file.facts.aliases:
+                if alias.target == alias.name:
+                    continue  # `typedef struct Part Part;`, `using Part = Part;`: what it means stands without it
                 entry = Declared(file, alias)
                 found[f"{entry.scope}::{alias.name}" if entry.scope else alias.name].append(entry)
         self.by_name: Mapping[str, Sequence[Declared]] = found

@@ -235,3 +235,15 @@ def test_tests_behind_tests_that_nothing_passes_end(workspace: Any) -> None:
     }
     assert found.diagnostics == ()
     assert {"/a/live", "/b/live"} <= names
+
+
+def test_classes_that_chains_of_functions_give_end(workspace: Any) -> None:
+    """What each of eleven functions gives is what the next one gives, by any of six calls: a class that ends as open."""
+    calls = "".join(f"    if f({index}):\n        return kind{{0}}({index})\n" for index in range(6))
+    chain = "".join(
+        f"def kind{index}(at):\n{calls.format(index + 1)}    return kind{index + 1}(6)\n" for index in range(11)
+    )
+    ask = "        self.create_publisher(kind0(x), 'a', 1)\n"
+    source = f"from std_msgs.msg import String\n{chain}def kind11(at):\n    return String\n{_HEAD}{ask}"
+    workspace.package({"pkg/driver.py": source})
+    assert "/a" in {entry.name for entry in workspace.interfaces()}

@@ -50,10 +50,11 @@ class PythonTypes:
             return UNKNOWN_TYPE
         call, returns = invocation_of(expr, env), self.folder.returns
         callee = returns.meant(call, env)
-        if callee is None or self.folder.redefined.may_be(callee, call, env):
+        if callee is None or self.folder.redefined.may_be(callee, call, env) or not self.folder.steps.take(env):
             return UNKNOWN_TYPE
-        given = returns.returned(callee, call, env.deeper(env.depth + 1))
-        found = {self.types.expression(value, place, role) for value, place in given}
+        with self.folder.steps:
+            given = returns.returned(callee, call, env.deeper(env.depth + 1))
+            found = {self.types.expression(value, place, role) for value, place in given}
         return found.pop() if len(found) == 1 else UNKNOWN_TYPE
 
     def _imported(self, dotted: str, path: str, env: Env, role: Role) -> TypeFound:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ecm_extract.infer.effects import Effects
 
 
-class GivenFunctions:
+class HandedFunctions:
     """Tells it of the calls of one function."""
 
     def __init__(self, effects: Effects) -> None:
