@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence, Set
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import Call, Expr, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import shared_names
-from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.code.walk import given_to
+from ecm_extract.link.code.walk import given_to, last_of
 
 
 def led_into(call: Call, giving: Set[str], body: Sequence[Statement]) -> Iterator[Expr]:
@@ -24,7 +23,7 @@ def led_into(call: Call, giving: Set[str], body: Sequence[Statement]) -> Iterato
         arg = _indexed(given)
         if isinstance(arg, Op) and arg.op == "*" and len(arg.operands) == 1:
             yield from shared_names(arg.operands[0], body)
-        elif isinstance(arg, Call) and _name(arg) in giving:
+        elif isinstance(arg, Call) and last_of(arg.callee) in giving:
             yield from shared_names(arg, body)
 
 
@@ -33,8 +32,3 @@ def _indexed(arg: Expr) -> Expr:
     while isinstance(arg, Op) and arg.op == "[]":
         arg = arg.operands[0]
     return arg
-
-
-def _name(call: Call) -> str:
-    callee = call.callee
-    return callee.name if isinstance(callee, Member) else last_name(callee.id) if isinstance(callee, Name) else ""
