@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
 from ecm_extract.infer.held import Held, all_ways
-from ecm_extract.infer.places import whole_of
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.member_paths import below_variable
@@ -16,6 +15,7 @@ from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.begun_fields import begun_field
+from ecm_extract.link.folding.changed_objects import may_be_another
 from ecm_extract.link.folding.formats import VALUE_READS, read_as
 from ecm_extract.link.folding.handed_fields import handed_field
 from ecm_extract.link.index.module_kinds import class_kind
@@ -87,7 +87,7 @@ class MemberFolder:
         known = found or part or self._field(expr, env) or self._option(expr, env)
         known = self.folder.member_fields.beside(known, expr, env)
         told = any(value.confidence != "pattern" for value in known)
-        if told and (self._is_of_changed_variable(expr, env) or self._is_of_lost(expr.base, env)):
+        if told and may_be_another(expr, env, self.folder):
             return alternatives((*known, unknown(expr.name)))
         known = known or self.folder.module_objects.member(expr, env)
         return known or self._of_given(expr, env) or self._of_message(expr, env) or self.folder.names.unseen(expr, env)
@@ -96,28 +96,6 @@ class MemberFolder:
         """What Python makes when an attribute is read, of the class or of the object."""
         found = self.folder.properties.value(expr, env) or self.folder.class_names.value(expr, env)
         return found or self.folder.enums.value(expr, env)
-
-    def _is_of_changed_variable(self, expr: Member, env: Env) -> bool:
-        """Tell whether an object is in a variable of a namespace that functions change, or others have a member."""
-        if env.func.file.language == "python":
-            return self.folder.states.kept_members.is_had_by_others(expr, env)
-        root: Expr | None = expr
-        while root is not None and not isinstance(root, Name):
-            root = whole_of(root)
-        if root is None or self.folder.scope.declared_type(root.id, env):
-            return False
-        file_scope = self.folder.objects.file_scope
-        return bool(file_scope.type_of(root.id, env)) and file_scope.is_changed(root.id, env)
-
-    def _is_of_lost(self, expr: Expr | None, env: Env) -> bool:
-        """Tell whether an object is, or is in, a variable that somebody may have changed who is not followed."""
-        while expr is not None:
-            if isinstance(expr, Name | Member) and expr != THIS:
-                helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
-                if any(held.how == "lost" for held in all_ways(helds)):
-                    return True
-            expr = whole_of(expr)
-        return False
 
     def _of_message(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`code.ARM`: a constant of the message that an object is."""
