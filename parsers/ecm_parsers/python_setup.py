@@ -45,7 +45,7 @@ def parse_setup_py(data: bytes) -> Parsed[PythonSetup]:
         packages=_packages(keywords.get("packages")) + _texts(keywords.get("py_modules")),
         package_dir=_package_dir(keywords.get("package_dir")),
         scripts=_texts(keywords.get("scripts")),
-        data_files=_data_files(keywords.get("data_files")),
+        data_files=_data_files(keywords.get("data_files"), diagnostics),
         entry_points=_entry_points(keywords.get("entry_points"), diagnostics),
         parameter_files=calls.parameter_files,
         makes_modules=calls.of_parameters or not _MAKING.isdisjoint(keywords),
@@ -164,15 +164,19 @@ def _package_dir(value: Value | None) -> dict[str, str]:
     return {shown(key): shown(folder) for key, folder in value.data.entries}
 
 
-def _data_files(value: Value | None) -> tuple[DataFiles, ...]:
+def _data_files(value: Value | None, diagnostics: list[Diagnostic]) -> tuple[DataFiles, ...]:
     """Return `[(destination, [files...]), ...]`; a bare text installs to the prefix."""
     found: list[DataFiles] = []
-    for item in value.data if value is not None and isinstance(value.data, tuple) else ():
+    items = value.data if value is not None and isinstance(value.data, tuple) else () if value is None else (value,)
+    for item in items:
         if isinstance(item.data, str):
             found.append(DataFiles("", (item.data,), item.line))
         elif isinstance(item.data, tuple) and len(item.data) == 2:
             destination, files = item.data
             found.append(DataFiles(shown(destination), _texts(files), item.line))
+        else:
+            message = "A part of data_files is computed and not read: what else it installs is not known."
+            diagnostics.append(Diagnostic("info", "setup-computed-data-files", item.line, message))
     return tuple(found)
 
 

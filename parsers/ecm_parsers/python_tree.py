@@ -33,6 +33,8 @@ MAX_NODES = 100_000
 MAX_STATEMENTS = 4_000
 MAX_SHOWN = 2_000
 _LANGUAGE = Language(tree_sitter_python.language())
+_PI = frozenset({"pi", "math.pi", "numpy.pi", "np.pi"})
+"""docs.python.org and numpy.org: constants of `math` and `numpy`, as files import them."""
 _ESCAPES = {"\\\n": "", "\\n": "\n", "\\t": "\t", "\\\\": "\\", "\\'": "'", '\\"': '"', "\\r": "\r"}
 _ESCAPE = re.compile(r"\\.", re.DOTALL)
 
@@ -148,12 +150,11 @@ def _table(node: Node, names: Names, depth: int) -> Data:
 
 
 def _name(node: Node, names: Names, _depth: int) -> Data:
-    """Fold an identifier, or an attribute by its last name (`math.pi`)."""
-    last = node.child_by_field_name("attribute") or node
-    name = text_of(last)
+    """Fold an identifier, or an attribute as it is written: `pi`, `math.pi`."""
+    name = callee_name(node)
     if name in names:
         return names[name].data
-    return math.pi if name == "pi" else _unknown(node)
+    return math.pi if name in _PI else _unknown(node)
 
 
 def _inner(node: Node, names: Names, depth: int) -> Data:

@@ -61,14 +61,19 @@ def operate(operator: str, left: Value, right: Value) -> Data:
     a, b = left.data, right.data
     if isinstance(a, int | float) and isinstance(b, int | float):
         return _arithmetic(operator, a, b)
-    if operator == "+" and isinstance(a, tuple) and isinstance(b, tuple):
-        return (a + b)[:MAX_TEXT]
+    if operator == "+" and (isinstance(a, tuple) or isinstance(b, tuple)):
+        return (_listed(left) + _listed(right))[:MAX_TEXT]
     if operator == "+" and (isinstance(a, str) or isinstance(b, str)):
         return (shown(left) + shown(right))[:MAX_TEXT]
     if operator == "%" and isinstance(a, str):
         values = iter(b if isinstance(b, tuple) else (right,))
         return _FIELD.sub(lambda match: _next_shown(values, match[0]), a)[:MAX_TEXT]
     return None
+
+
+def _listed(value: Value) -> tuple[Value, ...]:
+    """What a value adds to a list: its items; what is not known adds one that is not."""
+    return value.data if isinstance(value.data, tuple) else (value,)
 
 
 def _next_shown(values: Iterator[Value], otherwise: str) -> str:

@@ -82,6 +82,21 @@ def test_entries_that_are_set_one_by_one() -> None:
     assert parse_setup_py(b"setup()\nd[0] = 1\nd[a][b] = 2\nself.d['x'] = 3\n").facts.packages == ()
 
 
+def test_what_a_function_adds_to_a_list_leaves_the_rest() -> None:
+    """Files that a function finds are told as unread; those that are written beside them are known."""
+    parsed = parse_setup_py(b"setup(data_files=[('share/a', ['x'])] + found('y'),\n packages=more + ['a'])\n")
+    assert parsed.facts.data_files == (DataFiles("share/a", ("x",), 1),)
+    assert parsed.facts.packages == ("{more}", "a")
+    assert [each.code for each in parsed.diagnostics] == ["setup-computed-data-files"]
+
+
+def test_attributes_are_what_they_are_called() -> None:
+    """`other.name` is not the variable `name` of the file."""
+    text = b"name = 'a'\nself.version = '1'\nsetup(name=other.name, version=self.version)\n"
+    facts = parse_setup_py(text).facts
+    assert (facts.name, facts.version) == (None, "1")
+
+
 def test_lines_of_packages() -> None:
     """Each package has the line on which the list names it, or that of the list."""
     of_setup = parse_setup_py(
