@@ -20,7 +20,7 @@ from ecm_parsers.python_tree import (
     statements,
     text_of,
 )
-from ecm_parsers.python_values import PyCall, Unknown, Value, shown
+from ecm_parsers.python_values import PyCall, Unknown, Value, either, shown
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
 
@@ -121,13 +121,13 @@ class _Reader:
     def read(self, root: Node, nested: int = 0) -> None:
         """Handle the imports, assignments, loops and calls below a node, those in a loop once for each round."""
         done = 0
-        for node in statements(root, _WANTED, self.diagnostics):
+        for node, certain in statements(root, _WANTED, self._names, self.diagnostics):
             if node.start_byte < done:
                 continue
             if node.type == "import_from_statement":
                 self._import(node)
             elif node.type == "assignment":
-                self._assign(node)
+                self._assign(node, certain)
             elif node.type == "augmented_assignment":
                 self._names.pop(_field_text(node, "left"), None)
             elif node.type == "call":
@@ -174,7 +174,7 @@ class _Reader:
             alias = _field_text(child, "alias") if child.type == "aliased_import" else name
             self._imports[alias] = module
 
-    def _assign(self, node: Node) -> None:
+    def _assign(self, node: Node, certain: bool) -> None:
         target = _field_text(node, "left")
         value = fold(node.child_by_field_name("right"), self._names)
         if isinstance(value.data, PyCall):
@@ -184,7 +184,9 @@ class _Reader:
             elif method[2] == "add_group":
                 label = value.data.args[:1] or (value.data.keyword("name") or value,)
                 self._groups[target] = (*self._groups.get(method[0], ()), shown(label[0]))
-        if not isinstance(value.data, Unknown):
+        if not certain:
+            self._names[target] = either(self._names.get(target), value, target)
+        elif not isinstance(value.data, Unknown):
             self._names[target] = value
 
     def _call(self, node: Node) -> None:

@@ -10,7 +10,7 @@ from tree_sitter import Node
 
 from ecm_parsers.python_setup_facts import DataFiles, EntryPoint, PythonSetup, entry_point
 from ecm_parsers.python_tree import MAX_BYTES, callee_name, fold, parse_python, read_call, statements, text_of
-from ecm_parsers.python_values import PyCall, Table, Value, shown
+from ecm_parsers.python_values import PyCall, Table, Value, either, shown
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
 
@@ -81,12 +81,13 @@ def _calls(text: str, diagnostics: list[Diagnostic]) -> _Calls:
     """Read the calls that tell of the package, the names before them folded."""
     names: dict[str, Value] = {}
     found = _Calls()
-    for node in statements(parse_python(text), _WANTED, diagnostics):
+    for node, certain in statements(parse_python(text), _WANTED, names, diagnostics):
         if node.type == "assignment":
             target = node.child_by_field_name("left")
             value = fold(node.child_by_field_name("right"), names)
             if target is not None:
-                names[text_of(target)[:200]] = value
+                name = text_of(target)[:200]
+                names[name] = either(names.get(name), value, name) if not certain else value
                 _set_entry(target, value, names)
         elif callee_name(node.child_by_field_name("function")).rpartition(".")[2] in _READ_CALLS:
             found.add(read_call(node, names), node.start_point[0] + 1, diagnostics)

@@ -8,11 +8,13 @@ from __future__ import annotations
 import math
 import posixpath
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 import tree_sitter_python
 from tree_sitter import Language, Node, Parser
 
+from ecm_parsers.python_builtins import called, compared, element
 from ecm_parsers.python_values import (
     MAX_TEXT,
     Data,
@@ -24,6 +26,7 @@ from ecm_parsers.python_values import (
     format_text,
     operate,
     shown,
+    truth,
 )
 from ecm_parsers.result import Diagnostic
 
@@ -44,21 +47,47 @@ def parse_python(text: str) -> Node:
     return Parser(_LANGUAGE).parse(text.encode("utf-8", "replace")).root_node
 
 
-def statements(root: Node, wanted: frozenset[str], diagnostics: list[Diagnostic]) -> list[Node]:
-    """Return the nodes of the wanted kinds in the order of the text, within bounds, without recursion."""
-    found: list[Node] = []
-    stack = [root]
-    seen = 0
-    while stack and seen < MAX_NODES and len(found) < MAX_STATEMENTS:
-        node = stack.pop()
-        seen += 1
-        if node.type in wanted:
-            found.append(node)
-        stack.extend(reversed(node.named_children))
+class Reached(NamedTuple):
+    """A node that is reached; `certain` where no branch that is not decided is around it."""
+
+    node: Node
+    certain: bool
+
+
+def statements(root: Node, wanted: frozenset[str], names: Names, diagnostics: list[Diagnostic]) -> Iterator[Reached]:
+    """Yield the nodes of the wanted kinds in the order of the text, within bounds, without recursion.
+
+    A branch that `names` decides, as they are when it is reached, is followed on the side that is taken only.
+    """
+    stack = [Reached(root, True)]
+    found = 0
+    for _ in range(MAX_NODES):
+        if not stack or found == MAX_STATEMENTS:
+            break
+        here = stack.pop()
+        if here.node.type in wanted:
+            found += 1
+            yield here
+        stack.extend(reversed(_below(here, names)))
     if stack:
         message = "The file has too many statements; the rest is not read. Split it."
-        diagnostics.append(Diagnostic("error", "python-too-long", line_of(stack[-1]), message))
-    return found
+        diagnostics.append(Diagnostic("error", "python-too-long", line_of(stack[-1].node), message))
+
+
+def _below(here: Reached, names: Names) -> list[Reached]:
+    """What is reached below a node: of a branch the sides that may be taken."""
+    if here.node.type != "if_statement":
+        return [Reached(child, here.certain) for child in here.node.named_children]
+    sides = [here.node, *here.node.children_by_field_name("alternative")]
+    for at, side in enumerate(sides):
+        condition = side.child_by_field_name("condition")
+        holds = truth(fold(condition, names)) if condition is not None else True
+        if holds is None:
+            within = [child for each in sides[at:] for child in each.named_children if child not in sides]
+            return [Reached(child, False) for child in within]
+        if holds:
+            return [Reached(child, here.certain) for child in side.named_children if child.type == "block"]
+    return []
 
 
 def line_of(node: Node) -> int:
@@ -176,6 +205,43 @@ def _binary(node: Node, names: Names, depth: int) -> Data:
     return _unknown(node) if result is None else result
 
 
+def _subscript(node: Node, names: Names, depth: int) -> Data:
+    keys = node.children_by_field_name("subscript")
+    key = fold(keys[0], names, depth) if len(keys) == 1 else None
+    found = element(fold(node.child_by_field_name("value"), names, depth), key) if key is not None else None
+    return _unknown(node) if found is None else found.data
+
+
+def _compared(node: Node, names: Names, depth: int) -> Data:
+    operators = node.children_by_field_name("operators")
+    operands = [fold(child, names, depth) for child in node.named_children]
+    single = len(operators) == 1 and len(operands) == 2
+    holds = compared(text_of(operators[0]), operands[0], operands[1]) if single else None
+    return _unknown(node) if holds is None else holds
+
+
+def _negated(node: Node, names: Names, depth: int) -> Data:
+    holds = truth(fold(node.child_by_field_name("argument"), names, depth))
+    return _unknown(node) if holds is None else not holds
+
+
+def _either(node: Node, names: Names, depth: int) -> Data:
+    """`a and b`, `a or b`: the one that decides."""
+    left = fold(node.child_by_field_name("left"), names, depth)
+    operator, holds = node.child_by_field_name("operator"), truth(left)
+    if holds is None or operator is None:
+        return _unknown(node)
+    goes_on = holds == (operator.type == "and")
+    return fold(node.child_by_field_name("right"), names, depth).data if goes_on else left.data
+
+
+def _choice(node: Node, names: Names, depth: int) -> Data:
+    """`a if test else b`."""
+    one, test, other = node.named_children
+    holds = truth(fold(test, names, depth))
+    return _unknown(node) if holds is None else fold(one if holds else other, names, depth).data
+
+
 def _call(node: Node, names: Names, depth: int) -> Data:
     """Fold a call that makes text, a list of patterns or a dict; keep other calls."""
     call = read_call(node, names, depth)
@@ -188,7 +254,8 @@ def _call(node: Node, names: Names, depth: int) -> Data:
         return Table(tuple((Value(key, value.line), value) for key, value in call.keywords))
     if function == "str" and len(call.args) == 1:
         return shown(call.args[0])
-    return _text_method(node, call, function, names, depth)
+    made = called(call, names)
+    return _text_method(node, call, function, names, depth) if made is None else made
 
 
 def _text_method(node: Node, call: PyCall, function: str, names: Names, depth: int) -> Data:
@@ -249,4 +316,9 @@ _FOLDERS: dict[str, Callable[[Node, Names, int], Data]] = {
     "unary_operator": _signed,
     "binary_operator": _binary,
     "call": _call,
+    "subscript": _subscript,
+    "comparison_operator": _compared,
+    "not_operator": _negated,
+    "boolean_operator": _either,
+    "conditional_expression": _choice,
 }

@@ -56,6 +56,19 @@ def shown(value: Value) -> str:
     return f"{{{data.text}}}" if isinstance(data, Unknown) else "{}"
 
 
+def truth(value: Value) -> bool | None:
+    """Return whether a value holds; None when that is not known."""
+    data = value.data
+    if isinstance(data, Unknown | PyCall) or (isinstance(data, str) and "{" in data):
+        return None
+    return bool(data.entries) if isinstance(data, Table) else bool(data)
+
+
+def either(before: Value | None, value: Value, name: str) -> Value:
+    """Return what a variable holds behind a branch that is not decided: one of two values is not known."""
+    return value if before is None or before.data == value.data else Value(Unknown(name[:80]), value.line)
+
+
 def operate(operator: str, left: Value, right: Value) -> Data:
     """Apply an operator; None when the result is not known."""
     a, b = left.data, right.data

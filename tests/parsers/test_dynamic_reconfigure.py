@@ -105,3 +105,53 @@ def test_hostile_cfg_files() -> None:
 def test_cfg_never_raises(data: bytes) -> None:
     """Any text gives facts or diagnostics."""
     assert is_told(data, parse_dynamic_reconfigure(data))
+
+
+_ROUNDS = b"""
+from other import LIMIT
+gen = ParameterGenerator()
+ends = ("_goal", "_speed")
+begun = {"_goal": 1.0, "_speed": 2.0}
+least = [0.0, LIMIT]
+for at, end in enumerate(ends):
+    if at < 1 or end not in begun:
+        for joint in ("a", "b"):
+            gen.add(joint + end, double_t, 0, "", begun[end], least[at])
+    elif len(ends) == 2:
+        gen.add("only" + end, double_t, 0, "", begun[end], least[at])
+    else:
+        gen.add("never", double_t, 0, "", 1.0)
+for at in range(2):
+    gen.add("row_%d" % at, int_t, 0, "", at if at else 7)
+for key, value in begun.items():
+    gen.add("first" + key, double_t, 0, "", value)
+for name, count in zip(["x", "y"], [3, 4]):
+    gen.add(name, int_t, 0, "", count)
+if LIMIT > 2:
+    gen.add("perhaps", bool_t, 0, "", True)
+exit(gen.generate("p", "n", "N"))
+"""
+
+
+def test_rounds_and_branches_that_the_file_decides() -> None:
+    """Loops over `enumerate`, `range`, `zip`, `items` are gone through; a branch that is never taken adds nothing."""
+    parsed = parse_dynamic_reconfigure(_ROUNDS)
+    assert [(each.name, each.default, each.min) for each in parsed.facts.parameters] == [
+        ("a_goal", 1.0, 0.0),
+        ("b_goal", 1.0, 0.0),
+        ("only_speed", 2.0, None),
+        ("row_0", 7, None),
+        ("row_1", 1, None),
+        ("first_goal", 1.0, None),
+        ("first_speed", 2.0, None),
+        ("x", 3, None),
+        ("y", 4, None),
+        ("perhaps", True, None),
+    ]
+
+
+def test_a_variable_of_a_branch_that_is_not_decided_is_open() -> None:
+    """Of two values that a variable may have, the later one is not told."""
+    text = b"low = 1\nif other:\n    low = 2\n    high = 3\ngen.add('a', int_t, 0, '', low, 0, high)\n"
+    [found] = parse_dynamic_reconfigure(b"gen = ParameterGenerator()\n" + text).facts.parameters
+    assert (found.default, found.max) == (None, 3)
