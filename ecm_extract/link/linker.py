@@ -208,7 +208,7 @@ class Linker:
         for site in (each for each in sites if not each.form.fallback):
             owner = (site.owner,) if site.owner is not None else ()
             homes: tuple[Home, ...] = (site.root.file.package, site.root.file, *owner)
-            for each in defaults_of(site, self.sites.names(site), self.folder):
+            for each in defaults_of(site, self.sites.names.of(site), self.folder):
                 begun = self.given.of(site, each.name.text, each.default)
                 for home in homes if begun is not each.default else ():
                     self.parameters.give_instead(each.name.text, home)
@@ -327,7 +327,7 @@ class Linker:
         if form.items:
             listed = [(each.name, each.default) for each in listed_parameters(site, self.folder)]
             return listed or [(unknown("parameters"), None)]
-        values = self.sites.names(site)
+        values = self.sites.names.told(site)
         expr = default_of(site, values, self.folder)
         default = Bound(expr, site.env) if expr is not None else None
         place = place_at(site, self.folder)

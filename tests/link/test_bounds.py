@@ -247,3 +247,22 @@ def test_classes_that_chains_of_functions_give_end(workspace: Any) -> None:
     source = f"from std_msgs.msg import String\n{chain}def kind11(at):\n    return String\n{_HEAD}{ask}"
     workspace.package({"pkg/driver.py": source})
     assert "/a" in {entry.name for entry in workspace.interfaces()}
+
+
+def test_names_of_all_rounds_are_told_without_a_doubt(workspace: Any) -> None:
+    """Eighteen names of nine rounds are all told, though no one state has so many: nothing of them is left out."""
+    body = """
+        mode = self.get_parameter("mode").value
+        for each in ["a", "b", "c", "d", "e", "f", "g", "h", "i"]:
+            if mode == "deep":
+                name = "deep_" + each
+            else:
+                name = each
+            self.create_publisher(String, name, 1)
+"""
+    found = _driver(workspace, body)
+    names = {
+        entry.name for package in found.packages for each in package.modules for entry in each.signature.interfaces
+    }
+    assert {f"/{prefix}{each}" for prefix in ("", "deep_") for each in "abcdefghi"} <= names
+    assert found.diagnostics == ()

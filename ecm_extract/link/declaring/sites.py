@@ -19,11 +19,12 @@ from ecm_extract.link.declaring.deciding import deciding
 from ecm_extract.link.declaring.dispatching import Dispatching
 from ecm_extract.link.declaring.escaping import escaping, handed_makers
 from ecm_extract.link.declaring.making import Making
-from ecm_extract.link.declaring.match import Matcher, name_argument
+from ecm_extract.link.declaring.match import Matcher
 from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
 from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.declaring.prefixes import prefixed
 from ecm_extract.link.declaring.site import Site, overrides
+from ecm_extract.link.declaring.site_names import SiteNames
 from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.transports import transported
@@ -80,7 +81,7 @@ class Sites:
         self.parameters = parameters
         self._types = TemplateTypes(self.folder)
         self._remembered: set[Func] = set()
-        self._names: dict[Site, tuple[Value, ...]] = {}
+        self.names = SiteNames(self.folder)
         self.openness = Openness(self.folder, types, program.derived)
         aliases = program.aliases.meaning(program.classes, {*matcher.forms, *also})
         self.making = Making(program, aliases)
@@ -186,15 +187,15 @@ class Sites:
         """What has one name in all states in which the same calls lead to it has that name, whichever state it is."""
         names: dict[tuple[Invocation, ...], set[tuple[Value, ...]]] = defaultdict(set)
         for site in sites if not all(site.certain for site in sites) else ():
-            names[site.chain].add(self.names(site))
+            names[site.chain].add(self.names.of(site))
         single = {chain for chain, found in names.items() if len(found) == 1 and all(len(each) == 1 for each in found)}
         return [replace(site, certain=site.certain or (site.sole and site.chain in single)) for site in sites]
 
     def _wider(self, site: Site) -> Iterator[Site]:
-        params, made = self.openness.of(site, self.names(site))
+        params, made = self.openness.of(site, self.names.of(site))
         given = site.root.given
         if not params & given:
-            params |= deciding(site, self.names(site), self.folder)
+            params |= deciding(site, self.names.of(site), self.folder)
         around = {name for func in self.folder.nesting.around(site.root) for name in func.given}
         if params & (given | set(site.root.own_template)) or (params | made) & around:
             if site.form.row.value and site.root not in self._remembered:
@@ -206,15 +207,6 @@ class Sites:
                 return
         if made and site.owner is not None:
             yield from self._makers(site, site.owner)
-
-    def names(self, site: Site) -> tuple[Value, ...]:
-        """Return the possible names that a site is given, folded once."""
-        known = self._names.get(site)
-        if known is None:
-            name = name_argument(site.form, site.call)
-            values = self.folder.fold(name, site.env) if name is not None else ()
-            known = self._names[site] = values
-        return known
 
     def _callers(self, site: Site) -> Iterator[Site]:
         root = site.root
@@ -249,14 +241,14 @@ class Sites:
 
     def _depends(self, site: Site) -> bool:
         """Tell whether whoever calls the outermost function of a site has a say in its name."""
-        return any(value.open("param") for value in self.names(site))
+        return any(value.open("param") for value in self.names.of(site))
 
     def _names_an_instance(self, site: Site, func: Func) -> bool:
         """Tell whether the host of a plugin gives its method a name that only the configuration knows."""
         own = site.root.cls is not None and func.cls in self.program.ancestry(site.root.cls)
         if own or not self._is_loaded(func):
             return False
-        return any(value.confidence == "pattern" and not value.open("param") for value in self.names(site))
+        return any(value.confidence == "pattern" and not value.open("param") for value in self.names.of(site))
 
     def _calling(self, func: Func) -> Iterator[tuple[Invocation, Env]]:
         return ((call, self.dispatching.at_hand(func, call, self._place(call))) for call in self.callers(func))

@@ -56,7 +56,7 @@ from ecm_extract.link.folding.properties import PropertyFolder
 from ecm_extract.link.folding.redefined import Redefined
 from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.spreading import Spreading
-from ecm_extract.link.folding.steps import Steps
+from ecm_extract.link.folding.steps import Steps, is_left_out
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.folding.typed_numbers import TypedNumbers
 from ecm_extract.link.index.program import Program
@@ -91,7 +91,6 @@ from ecm_extract.link.running.unset_variables import UnsetVariables
 from ecm_extract.link.running.untold import Untold
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
-    TOO_MANY,
     Hole,
     Value,
     alternatives,
@@ -206,7 +205,7 @@ class Folder:
             return (unknown("value"),)
         with self.steps:
             values = self.numbers.held(self._by_kind(expr, env), expr, env)
-        if any(TOO_MANY.parts[0] in value.parts for value in values):
+        if any(map(is_left_out, values)):
             self.steps.leave_out(env)
         return values
 

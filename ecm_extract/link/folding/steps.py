@@ -10,6 +10,7 @@ from typing import Final
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.faults import CODE
+from ecm_extract.link.running.values import TOO_MANY, Value
 from ecm_extract.tree import FileDiagnostic, Unread, printable
 
 MAX_QUESTION: Final = 1_500
@@ -48,6 +49,7 @@ class Steps:
         self._cut: dict[tuple[str, int], None] = {}
         self._spent_by: dict[Func, None] = {}
         self._ended: Func | None = None
+        self._silent = False
 
     def take(self, env: Env) -> bool:
         """Tell whether one more evaluation may be made; a refusal is remembered with the place of its question."""
@@ -66,7 +68,8 @@ class Steps:
 
     def leave_out(self, env: Env) -> None:
         """Remember a place whose values are not all computed; within a question it is the place that asked."""
-        self._cut[_place(self._asked if self.depth and self._asked is not None else env)] = None
+        if not self._silent:
+            self._cut[_place(self._asked if self.depth and self._asked is not None else env)] = None
 
     def _may_run_on(self) -> bool:
         """Count an evaluation for the function that is run, and tell whether it has one left."""
@@ -102,6 +105,15 @@ class Steps:
             self.depth, self._spent, self._asked = depth, spent, asked
 
     @contextmanager
+    def without_a_word(self) -> Iterator[None]:
+        """Within it, values that are left out are not remembered: who asks says so where it tells what it got."""
+        before, self._silent = self._silent, True
+        try:
+            yield
+        finally:
+            self._silent = before
+
+    @contextmanager
     def within(self, func: Func) -> Iterator[None]:
         """Within it, a function is run, for which each evaluation counts."""
         self._runs.append(func)
@@ -123,6 +135,11 @@ class Steps:
             text = f"From here on {rest} more places have values that take too many steps to compute; {_HINT}."
             told.append(FileDiagnostic("warning", _VALUES, path, line, text))
         return tuple(told)
+
+
+def is_left_out(value: Value) -> bool:
+    """Tell whether a value stands for those that are too many."""
+    return TOO_MANY.parts[0] in value.parts
 
 
 def _told_of(func: Func) -> FileDiagnostic:

@@ -120,7 +120,7 @@ class Ownership:
         given = self.sites.is_given(root) or self.modules.references.hands(root.fact.name)
         if given and not self.sites.callers(root):
             return False
-        values = self.sites.names(site)
+        values = self.sites.names.of(site)
         return any(_is_passed(value, root) for value in values)
 
 

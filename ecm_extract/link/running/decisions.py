@@ -58,7 +58,7 @@ class Decisions:
         self._deciding[fork] = None
         self._moved_on()
         try:
-            with self.folder.steps.apart():
+            with self.folder.steps.apart(), self.folder.steps.without_a_word():
                 found = self._asked(fork)
         finally:
             del self._deciding[fork]

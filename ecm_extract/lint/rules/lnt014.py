@@ -34,7 +34,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for site in workspace.linker.parameter_sites:
         target = _variable(next(positions(site.form.out, site.call), None))
         handle = repr(site.call.receiver)
-        for value in workspace.linker.sites.names(site):
+        for value in workspace.linker.sites.names.of(site):
             if target and value.confidence in {"literal", "folded"} and not site.chain:
                 reads.setdefault((site.call.func, handle, value.text), {}).setdefault(target, site)
     for (_, _, name), targets in reads.items():
