@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Final, NamedTuple
 
 from ecm_checker.contract import Confidence
-from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.link.code.calls import Invocation
@@ -36,7 +36,6 @@ _SAME = frozenset(
 )
 """Calls that give the object they are given, or that they are called on."""
 _TEXTS: Final = ("string", "char")
-
 
 _REMAPPINGS: Final = frozenset({"M_string", "map"})
 NODE_NAME: Final = "arg:0|kw:node_name"
@@ -117,6 +116,8 @@ class Handles:
             return _agreed([self._known(each, env, depth + 1) for each in chosen])
         if isinstance(expr, Name):
             return self._name(expr, env, depth)
+        if isinstance(expr, Items) and env.func.file.language == "cpp":  # braces make the handle that is asked for
+            return self._node_handle(expr.items, env, depth)
         return self._member(expr, env, depth) if isinstance(expr, Member) else OWN
 
     def _of_other(self, expr: Call, env: Env) -> Handle | None:
