@@ -12,6 +12,7 @@ from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave
 from ecm_extract.infer.exits import Around, Exits
 from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.narrowing import narrowings
+from ecm_extract.infer.read_outcomes import read_outcomes
 from ecm_extract.infer.routes import OPEN
 from ecm_extract.infer.run import Frame, Raised
 
@@ -57,9 +58,9 @@ class Branching:
             gate = None if found == OPEN else gate
         told = narrowings(self.frame, test, state)
         taken, passed = (
-            state.on(self.frame.side(test, holds, state, gate)).having(
-                {name: each.on(holds) for name, each in told.items()}
-            )
+            state.on(self.frame.side(test, holds, state, gate))
+            .having({name: each.on(holds) for name, each in told.items()})
+            .having(read_outcomes(self.frame, test, state, holds))
             for holds in (True, False)
         )
         return Sides(taken, passed)
