@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ecm_extract.link.naming.handles import Handle, under
 from ecm_extract.link.running.own_names import with_node
-from ecm_extract.link.running.values import Hole, OfParameter, Value, settled, without_defaults
+from ecm_extract.link.running.values import Hole, OfParameter, Value, joined, literal, settled, without_defaults
 
 
 class RosName(NamedTuple):
@@ -39,11 +39,11 @@ def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | Non
         return RosName(raw, _clean(raw))
     if raw.startswith("~"):
         return RosName(raw, _private(raw[1:].lstrip("/"), handle, node))
-    joined = under(handle.prefix, value)
-    own = _after(joined, "node")  # `create_sub_node(get_name())`
+    below = under(handle.prefix, value)
+    own = _after(below, "node")  # `create_sub_node(get_name())`
     if own is not None:
         return RosName(f"~{own}" if ros == 1 else raw, _private(own, handle, node))
-    relative = joined.text
+    relative = below.text
     if relative.startswith("~"):
         return RosName(relative, _private(relative[1:].lstrip("/"), handle, node))
     return RosName(relative if ros == 1 else raw, _clean(f"/{space_of(handle, node)}/{relative}"))
@@ -102,9 +102,16 @@ def is_below_handle(value: Value) -> bool:
 
 
 def of_node(value: Value, node: str | None, ros: int | None) -> Value:
-    """Fill in the name of the node; in ROS 1 a name below it is private, whatever name a launch file gives the node."""
-    private = ros == 1 and is_below_node(value)
-    return settled(value if private else with_node(value, node and node.rpartition("/")[2]))
+    """Fill in the name of the node; in ROS 1 a name below it is private, whatever name a launch file gives the node.
+
+    There the name of a node begins with a slash (ros/this_node.h, rospy/names.py): no handle puts anything before it.
+    """
+    if ros == 1 and is_below_node(value):
+        return settled(value)
+    first = next((part for part in value.parts if part), None)
+    absolute = ros == 1 and isinstance(first, Hole) and first.kind == "node"
+    named = joined([(literal("/"),), (value,)])[0] if absolute else value
+    return settled(with_node(named, node and node.rpartition("/")[2]))
 
 
 def _private(rest: str, handle: Handle, node: str | None) -> str:
