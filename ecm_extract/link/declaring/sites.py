@@ -88,7 +88,7 @@ class Sites:
         self.ways = WaysIn(self.folder, self.making, self._types)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *EMPLACING, *also}
         self.calls = call_index(program, wanted, aliases)
-        for name, call in list(emplaced(self.calls, self.folder.objects)):
+        for name, call in list(emplaced(self.calls, self.folder.objects, matcher.forms)):
             self.calls[name].append(call)
         for call in escaping(program.every_function(), handed_makers(matcher.forms)):
             self.calls[call.last].append(call)
