@@ -194,7 +194,7 @@ class Types:
         near = {env.func.file, *_callers(env)}
         files = (*near, *(file for each in near for file in self.program.included(each)))
         included = any(entry.module == header for file in files for entry in file.facts.imports)
-        return f"{package}/{kind}/{name}" if included else None
+        return f"{package}/{kind}/{_action(name, kind)}" if included else None
 
     def _unqualified(self, name: str, env: Env, role: Role) -> str | None:
         """A bare message name: its header says the package, else a `using namespace` of messages."""
