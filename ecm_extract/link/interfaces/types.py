@@ -13,6 +13,7 @@ from ecm_extract.link.code.calls import Invocation, placed_arguments, unseen_arg
 from ecm_extract.link.code.spelling import plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.folding.of_templates import spelled
 from ecm_extract.link.interfaces.adapters import Adapters
 from ecm_extract.link.interfaces.python_types import PythonTypes
 from ecm_extract.link.interfaces.sent_as import sent_as
@@ -143,6 +144,9 @@ class Types:
         """A type that is no alias as a whole, and whose first part may be one."""
         bare, template = _bare(text), self._template_names(env)
         head, _, tail = bare.partition("::")
+        given = (env.types.get(head) or self.folder.objects.class_types(env).get(head)) if tail else None
+        if given is not None and plain(given) != head:
+            return self.written(f"{plain(given)}::{tail}", env, role, depth + 1)
         if head in template:
             return TypeFound(None, frozenset({head}))
         outer = (self.program.alias(head, env.func.file, self._scope(env)) or self._macro(head, env)) if tail else None
@@ -262,6 +266,7 @@ class Types:
         return self.folder.origins.makers(Name(name), env) or () if env.depth <= MAX_DEPTH else ()
 
     def _named(self, name: str, env: Env) -> list[Func]:
+        name = spelled(name, env, self.folder.objects) or name
         last = name.rsplit("::", 1)[-1]
         candidates = self.program.functions.get(last, [])
         own = env.this or env.func.cls
