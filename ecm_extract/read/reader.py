@@ -206,7 +206,7 @@ class Reader:
             if found is not None:
                 package.interfaces[path] = found
         elif suffix == ".cfg" and dynamic_reconfigure.is_dynamic_reconfigure(self._contents.read(path) or b""):
-            reconfigure = self.parse(path, dynamic_reconfigure.parse_dynamic_reconfigure)
+            reconfigure = self.parse(path, lambda data: dynamic_reconfigure.parse_dynamic_reconfigure(data, path))
             if reconfigure is not None:
                 package.reconfigure[path] = reconfigure
         elif suffix == ".xml" and self._is_other(path, package.root):

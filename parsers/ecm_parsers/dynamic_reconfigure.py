@@ -90,14 +90,19 @@ def is_dynamic_reconfigure(data: bytes) -> bool:
     return b"ParameterGenerator" in data
 
 
-def parse_dynamic_reconfigure(data: bytes) -> Parsed[ReconfigureFile]:
-    """Read a `.cfg` file; parameters added by imported functions are named in `included` and diagnosed."""
+def parse_dynamic_reconfigure(data: bytes, path: str = "") -> Parsed[ReconfigureFile]:
+    """Read a `.cfg` file; parameters added by imported functions are named in `included` and diagnosed.
+
+    Args:
+        data: the file.
+        path: where it stands in its tree, by which it may call its configuration (`__file__`).
+    """
     if len(data) > MAX_BYTES:
         message = f".cfg file larger than {MAX_BYTES} bytes is not read."
         return Parsed(ReconfigureFile(), (Diagnostic("error", "cfg-too-large", 0, message, cut=True),))
     text, diagnostics = decode(data)
     root = parse_python(text)
-    reader = _Reader(list(diagnostics))
+    reader = _Reader(list(diagnostics), path)
     if root.has_error:
         message = "Parts of the file are not valid Python; parameters in them may be missing."
         reader.diagnostics.append(Diagnostic("warning", "cfg-syntax", 0, message))
@@ -108,9 +113,9 @@ def parse_dynamic_reconfigure(data: bytes) -> Parsed[ReconfigureFile]:
 class _Reader:
     """Goes through the statements in order."""
 
-    def __init__(self, diagnostics: list[Diagnostic]) -> None:
+    def __init__(self, diagnostics: list[Diagnostic], path: str) -> None:
         self.diagnostics = diagnostics
-        self._names: dict[str, Value] = {}
+        self._names: dict[str, Value] = {"__file__": Value(path, 0)} if path else {}
         self._groups: dict[str, tuple[str, ...]] = {}
         self._imports: dict[str, str] = {}
         self._parameters: list[ReconfigureParameter] = []
@@ -162,6 +167,9 @@ class _Reader:
                 self.diagnostics.append(Diagnostic("warning", "cfg-no-generate", 0, message))
             return ReconfigureFile(parameters=parameters, included=included)
         call, line = self._generate
+        if not isinstance(call.args[2].data, str):
+            message = "What the configuration is called is computed: its parameters are told of no server."
+            self.diagnostics.append(Diagnostic("warning", "cfg-no-name", line, message))
         package, node, name = (shown(value) for value in call.args[:3])
         return ReconfigureFile(package, node, name, line, parameters, included)
 

@@ -15,6 +15,7 @@ import tree_sitter_python
 from tree_sitter import Language, Node, Parser
 
 from ecm_parsers.python_builtins import called, compared, element
+from ecm_parsers.python_paths import of_path
 from ecm_parsers.python_values import (
     MAX_TEXT,
     Data,
@@ -255,6 +256,8 @@ def _call(node: Node, names: Names, depth: int) -> Data:
     if function == "str" and len(call.args) == 1:
         return shown(call.args[0])
     made = called(call, names)
+    if made is None:
+        made = of_path(call, names, line_of(node))
     return _text_method(node, call, function, names, depth) if made is None else made
 
 

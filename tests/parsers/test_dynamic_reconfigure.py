@@ -155,3 +155,21 @@ def test_a_variable_of_a_branch_that_is_not_decided_is_open() -> None:
     text = b"low = 1\nif other:\n    low = 2\n    high = 3\ngen.add('a', int_t, 0, '', low, 0, high)\n"
     [found] = parse_dynamic_reconfigure(b"gen = ParameterGenerator()\n" + text).facts.parameters
     assert (found.default, found.max) == (None, 3)
+
+
+def test_a_configuration_may_be_called_like_its_file() -> None:
+    """What os.path makes of `__file__` is known by the path of the file, as far as that leads in its tree."""
+    text = (
+        b"from os.path import abspath, basename, dirname, splitext\n"
+        b"gen = ParameterGenerator()\n"
+        b"PACKAGE = basename(dirname(dirname(abspath(__file__))))\n"
+        b'gen.add("rate", double_t, 0, "Rate", 1.0)\n'
+        b'exit(gen.generate(PACKAGE, PACKAGE + "_node", splitext(basename(__file__))[0]))\n'
+    )
+    facts = parse_dynamic_reconfigure(text, "drive/cfg/Planner.cfg").facts
+    assert (facts.package, facts.node, facts.name) == ("drive", "drive_node", "Planner")
+    at_root = parse_dynamic_reconfigure(text, "cfg/Planner.cfg").facts
+    assert (at_root.package, at_root.name) == ("{}", "Planner")
+    unplaced = parse_dynamic_reconfigure(text)
+    assert unplaced.facts.name != "Planner"
+    assert [each.code for each in unplaced.diagnostics] == ["cfg-no-name"]
