@@ -39,6 +39,12 @@ def is_property(func: Func) -> bool:
     return len(properties) == 1 and shipped_names(_TABLE, "plain").issuperset(names - properties)
 
 
+def sets_property(func: Func) -> bool:
+    """Tell whether a function is run where somebody gives an attribute of its name something, or deletes it."""
+    changing = {f"{func.fact.name}.setter", f"{func.fact.name}.deleter"}
+    return not changing.isdisjoint(func.fact.decorators)
+
+
 def is_kept_property(func: Func) -> bool:
     """Tell whether an attribute keeps what its function gave when it was read first."""
     return not shipped_names(_TABLE, "kept").isdisjoint(_names(func))

@@ -60,6 +60,7 @@ class MemberFolder:
     def _member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         reached = self.folder.flow.effects(env.func).reached(expr)
         expr = self.folder.class_names.by_object(reached if isinstance(reached, Member) else expr, env)
+        expr = self.folder.properties.through(expr, env)
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.of(ways, env)

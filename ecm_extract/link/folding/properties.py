@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 
-from ecm_extract.link.code.decorators import is_kept_property, is_property
+from ecm_extract.link.code.decorators import is_kept_property, is_property, sets_property
 from ecm_extract.link.code.own import is_super
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import Env, invocation_of
@@ -48,6 +48,26 @@ class PropertyFolder:
         if expr.name not in self.folder.program.functions:
             return None
         return Call(expr, ()) if self._getter(expr, env) is not None else None
+
+    def through(self, expr: Member, env: Env) -> Member:
+        """Return a field of the object that a property only hands on (`self.model.name`), as a field of that object."""
+        base = expr.base
+        if not isinstance(base, Member) or self.read(base, env) is None:
+            return expr
+        kept = self._handed_on(base, env)
+        return expr if kept is None else Member(Member(self.through(base, env).base, kept), expr.name)
+
+    def _handed_on(self, expr: Member, env: Env) -> str | None:
+        """The member that a property gives and nothing else, which no derived class has otherwise."""
+        getter = self._getter(expr, env)
+        body = getter.fact.body if getter is not None else ()
+        given = body[0].value if len(body) == 1 and body[0].kind == "return" else None
+        if getter is None or getter.cls is None or is_kept_property(getter):
+            return None
+        if not isinstance(given, Member) or given.base != THIS:
+            return None
+        others = self.folder.program.derived(getter.cls)
+        return None if any(_has(entry, expr.name) for entry in others) else given.name
 
     def changed_by_reading(self, name: str, env: Env) -> bool:
         """Tell whether reading some property of the object at hand gives a member of it something."""
@@ -102,20 +122,22 @@ class PropertyFolder:
         """The property of a name, where the nearest class that has the name has nothing else, and nobody sets it."""
         lineage = self.folder.program.ancestry(cls)
         owner = next((entry for entry in lineage if _has(entry, name)), None)
-        found = [each for each in owner.methods if each.fact.name == name] if owner is not None else []
+        named = [each for each in owner.methods if each.fact.name == name] if owner is not None else []
+        found = [each for each in named if not sets_property(each)]
         if owner is None or name in owner.fields or len(found) != 1 or not is_property(found[0]):
             return None
-        if self._is_given(found[0], cls):
+        if self._is_given(found[0], cls, may_be_set=len(named) > 1):
             return None
         asked = any(each.fact.name in _ANY for entry in lineage for each in entry.methods)
         return None if asked or self.folder.python_fields.any_is_given(cls) else found[0]
 
-    def _is_given(self, getter: Func, cls: Cls) -> bool:
-        """Whether somebody gives the attribute something: of a plain property only the class can be given another."""
+    def _is_given(self, getter: Func, cls: Cls, may_be_set: bool) -> bool:
+        """Whether somebody gives the attribute something; without a setter only the class can be given another one."""
         name = getter.fact.name
         if any(self.folder.scope.members(name, entry) for entry in self._lineage(cls)):
             return True
-        given = self.folder.scope.assigned_outside(name, "python") if is_kept_property(getter) else ()
+        is_open = may_be_set or is_kept_property(getter)
+        given = self.folder.scope.assigned_outside(name, "python") if is_open else ()
         return bool(given) or self.folder.redefined.is_replaced(getter)
 
 
