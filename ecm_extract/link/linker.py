@@ -40,7 +40,8 @@ from ecm_extract.link.folding.placing import placed
 from ecm_extract.link.index.module_kinds import is_managed
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.interfaces.types import Types
-from ecm_extract.link.naming.handles import Handle, Handles
+from ecm_extract.link.naming.handle import Handle
+from ecm_extract.link.naming.handles import Handles
 from ecm_extract.link.naming.host_arguments import HostArguments
 from ecm_extract.link.naming.implied_names import fixed_name, name_below, place_at
 from ecm_extract.link.naming.local_names import local_name, local_parameter

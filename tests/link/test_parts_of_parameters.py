@@ -8,7 +8,7 @@ import pytest
 from ecm_checker.hub.local_name import LocalName, OpenPart, Parts
 
 from ecm_extract.link.naming.filling import filled
-from ecm_extract.link.naming.handles import OWN, Handle
+from ecm_extract.link.naming.handle import OWN, Handle
 from ecm_extract.link.naming.local_names import local_name, local_parameter, parts_of
 from ecm_extract.link.running.own_names import node_name, node_namespace
 from ecm_extract.link.running.values import (

@@ -17,7 +17,7 @@ from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.endpoints.around import Around
 from ecm_extract.link.endpoints.conditions import Conditions, key_of
-from ecm_extract.link.naming.handles import Handle
+from ecm_extract.link.naming.handle import Handle
 from ecm_extract.link.owning.modules import Module, Modules
 from ecm_extract.link.running.defaults import without_those
 from ecm_extract.link.running.env import Bound

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from typing import Final
 
-from ecm_checker.contract import Confidence
 from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.python_literal import NULL
 
@@ -15,15 +14,17 @@ from ecm_extract.link.code.texts import is_text
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.naming.begun_handles import begun_handle
 from ecm_extract.link.naming.carriers import carriers
 from ecm_extract.link.naming.given_handles import given_namespace
+from ecm_extract.link.naming.handle import OWN, Handle, agreed, of_any, under
 from ecm_extract.link.naming.host_arguments import HostArguments
 from ecm_extract.link.naming.node_settings import NodeSettings
 from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 from ecm_extract.link.running.own_names import node_namespace
-from ecm_extract.link.running.values import Value, is_known, is_proved, joined, literal, unique, unknown
+from ecm_extract.link.running.values import Value, is_known, literal, unknown
 
 MAX_DEPTH = 12
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
@@ -41,33 +42,6 @@ _REMAPPINGS: Final = frozenset({"M_string", "map"})
 NODE_NAME: Final = "arg:0|kw:node_name"
 NODE_SPACE: Final = "kw:namespace"
 """Where a node of rclpy is given its name and its namespace."""
-
-
-class Handle(NamedTuple):
-    """What a handle makes of names.
-
-    Attributes:
-        prefix: put before relative names; starts with `~` for a private handle, empty for the node itself.
-        node: name of a node made on the spot, to which `~` then belongs; None for the module's own node.
-        others: the prefixes of which it may be any as well.
-    """
-
-    prefix: Value
-    node: Value | None = None
-    others: tuple[Value, ...] = ()
-
-    @property
-    def surely(self) -> Confidence:
-        """How surely a name below it is where it is told."""
-        proved = is_proved(self.prefix) and self.prefix.confidence != "one_of"
-        return "literal" if proved else self.prefix.confidence
-
-    def each(self) -> tuple[Handle, ...]:
-        """Return one handle for each prefix that it may have."""
-        return (self._replace(others=()), *(Handle(prefix, self.node) for prefix in self.others))
-
-
-OWN = Handle(literal(""))
 
 
 class Handles:
@@ -93,7 +67,7 @@ class Handles:
         """
         is_call = isinstance(expr, Call) and not self.folder.objects.type_of(expr, env)
         if only and expr is not None and not is_call and self._says_text(expr, env):
-            return _of_any(self.folder.fold(expr, env))
+            return of_any(self.folder.fold(expr, env))
         known = self._known(expr, env, 0)
         if known is not None:
             return known
@@ -113,7 +87,7 @@ class Handles:
             return self._call(invocation_of(expr, env), env, depth) or self._of_other(expr, env)
         if isinstance(expr, Op) and expr.op in {"&", "?:", "[]"}:  # one of several elements nobody tells apart
             chosen = () if expr.op == "[]" else expr.operands[expr.op == "?:" :]
-            return _agreed([self._known(each, env, depth + 1) for each in chosen])
+            return agreed([self._known(each, env, depth + 1) for each in chosen])
         if isinstance(expr, Name):
             return self._name(expr, env, depth)
         if isinstance(expr, Items) and env.func.file.language == "cpp":  # braces make the handle that is asked for
@@ -157,7 +131,25 @@ class Handles:
             return None
         if not makers:
             return self._declared(expr, env, depth)
-        return _agreed([self._given(expr, each, depth) for each in makers])
+        here = self._made_here(expr, env) or makers
+        found = [self._given(expr, each, depth) for each in here]
+        begun = self._begun(expr, env) if here is makers else None
+        if begun is not None and not all(each.env.func.is_constructor for each in makers):
+            found.append(self._known(begun, env, depth + 1))
+        return agreed(found)
+
+    def _made_here(self, expr: Name | Member, env: Env) -> list[Bound]:
+        """What the function at hand itself has given a variable; nothing where it may be as others left it."""
+        ways = [held for way in self.folder.flow.ways(expr, env) for held in way]
+        made = [Bound(held.expr, held.env) for held in ways if held.how == "value" and held.expr and held.env]
+        return made if len(made) == len(ways) else []
+
+    def _begun(self, expr: Name | Member, env: Env) -> Expr | None:
+        """What makes the handle that a member of the object at hand is declared with."""
+        if not self.folder.flow.effects(env.func).key(expr).startswith("."):
+            return None
+        is_handle = self._is_handle(self.folder.objects.type_of(expr, env), env)
+        return begun_handle(expr, env, self.folder.program) if is_handle else None
 
     def _given(self, expr: Name | Member, made: Bound, depth: int) -> Handle | None:
         """`nh_("~x")` and `nh_(parent, "x")` in an initialiser list make a handle without naming it."""
@@ -180,6 +172,9 @@ class Handles:
                 if parameter.name == expr.id and self._is_handle(parameter.type, env):
                     return self._handed(expr.id, env)
         written = self.folder.objects.type_of(expr, env)
+        begun = self._begun(expr, env)
+        if begun is not None:
+            return self._known(begun, env, depth + 1)
         if not written or plain(written) == "auto":
             return None if not self._is_text(expr, env) else OWN
         return OWN if by_value(written) or not self._is_handle(written, env) else None
@@ -194,9 +189,7 @@ class Handles:
             return None
         self._handing.add((func, parameter))
         try:
-            return _agreed(
-                [self._known(bound.expr, bound.env, 0) for bound in self.hosts.of(func, parameter, env.this)]
-            )
+            return agreed([self._known(bound.expr, bound.env, 0) for bound in self.hosts.of(func, parameter, env.this)])
         finally:
             self._handing.discard((func, parameter))
 
@@ -240,7 +233,7 @@ class Handles:
             for at, statement in enumerate(callee.fact.body)
             if statement.kind == "return"
         ]
-        return _agreed(found)
+        return agreed(found)
 
     def _node_handle(self, args: tuple[Expr, ...], env: Env, depth: int) -> Handle | None:
         if not args:
@@ -249,7 +242,7 @@ class Handles:
         if self._remaps(args[1:], env):
             return Handle(unknown("remapped"))
         if not isinstance(first, Name | Member | Call | Op) or self._says_text(first, env):
-            return _of_any(self.folder.fold(first, env))
+            return of_any(self.folder.fold(first, env))
         parent = self._known(first, env, depth + 1)
         if len(args) < 2:
             return parent
@@ -273,7 +266,7 @@ class Handles:
 
     def _nested(self, parent: Handle, name: Expr, env: Env) -> Handle:
         names = self.folder.fold(name, env)
-        return _of_any([under(one.prefix, each) for one in parent.each() for each in names], parent.node)
+        return of_any([under(one.prefix, each) for one in parent.each() for each in names], parent.node)
 
     def _new_node(self, args: Sequence[Expr], env: Env) -> Handle:
         settings = self.settings.of(args[1:], (), env)
@@ -305,29 +298,10 @@ class Handles:
         return "string" in self.folder.objects.type_of(expr, env) or self._is_text(expr, env)
 
 
-def _of_any(prefixes: Sequence[Value], node: Value | None = None) -> Handle:
-    """The handle that has one of several prefixes."""
-    first, *others = unique(prefixes)
-    return Handle(first, node, tuple(others))
-
-
-def under(prefix: Value, name: Value) -> Value:
-    """Return `prefix/name`; an empty prefix changes nothing, an absolute name drops the prefix."""
-    if not prefix.parts or prefix.text == "" or name.text.startswith("/"):
-        return name
-    if prefix.text == "~":
-        return joined([(prefix,), (name,)])[0]
-    return joined([(prefix,), (literal("/"),), (name,)])[0]
-
-
 def _initialised_with(expr: Name | Member, value: Expr) -> tuple[Expr, ...]:
     """What stands in the parentheses of a member of an initialiser list, which are written as a call of it."""
     own = Name(expr.id if isinstance(expr, Name) else expr.name)
     return value.args if isinstance(value, Call) and value.callee == own else (value,)
-
-
-def _agreed(found: Sequence[Handle | None]) -> Handle | None:
-    return found[0] if found and all(each == found[0] for each in found) else None
 
 
 def _makes_handle(call: Invocation) -> bool:

@@ -7,7 +7,7 @@ from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.placing import PRIVATE
-from ecm_extract.link.naming.handles import Handle
+from ecm_extract.link.naming.handle import Handle
 from ecm_extract.link.naming.names import RosName, endpoint_name, parameter_name
 from ecm_extract.link.running.values import Value, literal
 

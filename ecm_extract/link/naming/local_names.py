@@ -7,7 +7,7 @@ from typing import Final
 
 from ecm_checker.hub.local_name import LocalName, OpenPart, Parts, Teller, joined
 
-from ecm_extract.link.naming.handles import Handle
+from ecm_extract.link.naming.handle import Handle
 from ecm_extract.link.naming.names import below_own_name, is_beside_node, space_of
 from ecm_extract.link.running.values import NAMESPACE, PARENT_NAMESPACE, Hole, OfParameter, Value
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ecm_extract.link.naming.handles import Handle, under
+from ecm_extract.link.naming.handle import Handle, under
 from ecm_extract.link.running.own_names import with_node
 from ecm_extract.link.running.values import Hole, OfParameter, Value, joined, literal, settled, without_defaults
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.site import Site
-from ecm_extract.link.naming.handles import OWN, Handle
+from ecm_extract.link.naming.handle import OWN, Handle
 from ecm_extract.link.naming.names import endpoint_name, space_of
 from ecm_extract.link.naming.node_names import NodeNames
 from ecm_extract.link.naming.node_settings import Settings
