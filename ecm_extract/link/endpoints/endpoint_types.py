@@ -111,7 +111,7 @@ class EndpointTypes:
         """The type of the variable or construction that a default is."""
         if isinstance(default, Name) and default.id in env.args:
             bound = env.args[default.id]
-            return self._default_type(bound.expr, bound.env)
+            return self._default_type(bound.expr, bound.env) or self._parameter_type(default.id, env)
         if isinstance(default, Op) and default.op == "+" and any(isinstance(part, Text) for part in default.operands):
             return "string"
         if isinstance(default, Call) and isinstance(default.callee, Name):
@@ -120,7 +120,21 @@ class EndpointTypes:
                 return self._default_type(inner, env)
             arguments = f"<{', '.join(default.types)}>" if default.types else ""
             return self._declared(default.callee.id + arguments, env)
-        return self._declared(self.folder.objects.type_of(default, env), env) if default is not None else None
+        found = self._declared(self.folder.objects.type_of(default, env), env) if default is not None else None
+        return found or (self._wrapped_type(default, env) if isinstance(default, Name) else None)
+
+    def _parameter_type(self, name: str, env: Env) -> str | None:
+        """The type that a function of C++ declares its parameter with, a template by what it was called with."""
+        written = next((plain(each.type) for each in env.func.fact.params if each.name == name), "")
+        return self._declared(env.types.get(written, written), env) if env.func.file.language == "cpp" else None
+
+    def _wrapped_type(self, default: Name, env: Env) -> str | None:
+        """The type of what a variable of C++ wraps: `const rclcpp::ParameterValue value(given);`."""
+        if not self.folder.objects.type_of(default, env).endswith("ParameterValue"):
+            return None
+        made = [(held.expr, held.env or env) for held in self.folder.origins.of(default, env) if held.how == "value"]
+        found = {self._default_type(expr, place) if isinstance(expr, Call) else None for expr, place in made}
+        return found.pop() if len(found) == 1 else None
 
     def _partly_text(self, default: Expr | None, env: Env) -> str | None:
         """What is put together of a text and something unknown is a text: `os.path.join(folder, "a.yaml")`."""
