@@ -113,7 +113,7 @@ class ListDefaults:
 
 
 def _value_of(expr: Expr) -> Expr | None:
-    """What an expression takes the value of, or copies: `parameter.value`, `parameter.as_string_array()`, `list(it)`."""
+    """What an expression takes the value of, or copies: `it.value`, `parameter.as_string_array()`, `list(it)`."""
     if isinstance(expr, Call) and isinstance(expr.callee, Name) and expr.callee.id in _COPIES:
         return expr.args[0] if len(expr.args) == 1 and not expr.keywords else None
     taken = expr.callee if isinstance(expr, Call) else expr
