@@ -96,3 +96,22 @@ def test_a_list_that_is_copied_of_itself_ends(workspace: Any) -> None:
     text = PYTHON.format(read="value", made=made)
     found = workspace.package({"pkg/d.py": text}).only("publisher")
     assert found.confidence == "pattern"
+
+
+COUNTS = [
+    ("range(count)", 2, {"/arm_0": "default", "/arm_{item}": "pattern"}),
+    ("range(1, count + 1)", 2, {"/arm_1": "default", "/arm_{item}": "pattern"}),
+    ("range(count)", 0, {"/arm_{item}": "pattern"}),
+    ("range(other())", 2, {"/arm_{item}": "pattern"}),
+]
+
+
+@pytest.mark.parametrize(("counted", "default", "names"), COUNTS)
+def test_the_first_of_a_count_that_a_parameter_is(
+    workspace: Any, counted: str, default: int, names: dict[str, str]
+) -> None:
+    """`range(count)` begins with what it has by default; how many follow is what the parameter says."""
+    made = f"for i in {counted}:\n            self.create_publisher(String, f'arm_{{i}}', 1)"
+    text = PYTHON.format(read="value", made=made).replace("topics", "count").replace("['/a', '/b']", str(default))
+    found = workspace.package({"pkg/d.py": text}).interfaces()
+    assert {row.name: row.confidence for row in found if row.role == "publisher"} == names
