@@ -180,8 +180,8 @@ class Consisting:
             return _merged(earlier)
         body = held.env.func.fact.body if held.env is not None else ()
         named = (each for expr in (held.expr, held.more) for each in shared_names(expr, body))
-        keys = frozenset(map(self.effects.key, named))
-        keys -= {""}
+        found = set(map(self.effects.key, named)) - {""}
+        keys = frozenset(key for key in found if not self.effects.is_of_library(key))
         there = held.env.state.holds if held.env is not None and held.env.state is not None else {}
         elsewhere = {key: frozenset(there[key]) for key in keys if key in there}
         own = _Content(keys, elsewhere, frozenset(open_)) if keys or open_ else _NOTHING

@@ -64,6 +64,7 @@ class Effects:
         self._functions = HandedFunctions(self)
         self._known: dict[int, tuple[Effect, ...]] = {}
         self._members: dict[str, bool] = {}
+        self._of_library: dict[str, bool] = {}
 
     def key(self, expr: Expr | None) -> str:
         """Return the key of the variable that an expression is, empty for none."""
@@ -251,7 +252,9 @@ class Effects:
     def _given(self, call: Call, arg: Expr, target: Func | None, name: str, at: int) -> Iterator[Effect]:
         key, last = self.key(arg), last_of(call.callee)
         root = key or self.root(arg)
-        if not root or (self.python and target is None and self.targets.parameters.is_left(call, arg, self.func, at)):
+        if not root or self.is_of_library(root):
+            return
+        if self.python and target is None and self.targets.parameters.is_left(call, arg, self.func, at):
             return
         if target is None:
             made = isinstance(call.callee, Name) and last[:1].isupper()
@@ -268,6 +271,15 @@ class Effects:
                 yield Effect("out" if key else _within(arg), root, call, name)
         else:
             yield from self._by_reference(call, arg, target, name, root)
+
+    def is_of_library(self, key: str) -> bool:
+        """Tell whether a variable of Python is what a module outside of the tree has: a class, an enumerator."""
+        first = key.partition(".")[0] if self.python else ""
+        if first not in self.func.file.imported:
+            return False
+        if first not in self._of_library:
+            self._of_library[first] = self.targets.is_of_library(first, self.func)
+        return self._of_library[first]
 
     def _is_constant(self, key: str) -> bool:
         """Whether a variable of C++ is declared so that nobody can change it."""

@@ -54,6 +54,9 @@ class Targets(Protocol):
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++ means a variable of a namespace."""
 
+    def is_of_library(self, name: str, func: Func) -> bool:
+        """Tell whether a name that the file of a function of Python imports is of a module outside of the tree."""
+
     def shared_members(self, func: Func) -> Mapping[str, Set[str]]:
         """Return, for members of the object at hand, the others that each may be or consist of, by key."""
 

@@ -121,7 +121,7 @@ class Linker:
         makers = SeenMakers(self.program, registry.classes)
         self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, makers))
         self.folder.prefixes = self.handles.prefix
-        self.typing = EndpointTypes(self.folder, self.types)
+        self.typing = EndpointTypes(self.folder, self.types, packages)
         self.names = NodeNames(self.folder, self.sites, registry.classes)
         self.given = ValuesGiven(self.names)
         self.generated = GeneratedParameters(self.sites, packages)

@@ -70,9 +70,48 @@ def test_python_reads_a_list_by_value(workspace: Any, read: str, made: str, name
     assert {row.name for row in found if row.role == "publisher"} == names
 
 
+@pytest.mark.parametrize("copied", ["list({})", "tuple({})", "{}"])
+def test_a_copy_has_the_elements_of_the_default(workspace: Any, copied: str) -> None:
+    """A loop over a copy that a member is has them as a loop over the list has."""
+    made = f"self.names = {copied.format('topics')}\n"
+    made += "        for name in self.names:\n            self.create_publisher(String, f'{name}/x', 1)"
+    text = PYTHON.format(read="value", made=made)
+    found = workspace.package({"pkg/d.py": text}).interfaces()
+    names = {row.name: row.confidence for row in found if row.role == "publisher"}
+    assert names == {"/a/x": "default", "/b/x": "default"}
+
+
 def test_a_table_by_default_has_no_elements_by_index(workspace: Any) -> None:
     """A key that is not known takes a value of a table, not one of its keys."""
     text = "import rospy\nfrom std_msgs.msg import String\nrospy.init_node('d')\n"
     text += "rospy.Publisher(rospy.get_param('~t', {'a': '/x'})[which()], String, queue_size=1)\n"
     found = workspace.package({"scripts/d.py": text}, ros=1).only("publisher")
     assert found.confidence == "pattern"
+
+
+def test_a_list_that_is_copied_of_itself_ends(workspace: Any) -> None:
+    """Who asks what it is comes back to it: nothing is told of its elements."""
+    made = "self.names = topics\n        for i in range(3):\n            self.names = list(self.names)\n"
+    made += "        for name in self.names:\n            self.create_publisher(String, name, 1)"
+    text = PYTHON.format(read="value", made=made)
+    found = workspace.package({"pkg/d.py": text}).only("publisher")
+    assert found.confidence == "pattern"
+
+
+COUNTS = [
+    ("range(count)", 2, {"/arm_0": "default", "/arm_{item}": "pattern"}),
+    ("range(1, count + 1)", 2, {"/arm_1": "default", "/arm_{item}": "pattern"}),
+    ("range(count)", 0, {"/arm_{item}": "pattern"}),
+    ("range(other())", 2, {"/arm_{item}": "pattern"}),
+]
+
+
+@pytest.mark.parametrize(("counted", "default", "names"), COUNTS)
+def test_the_first_of_a_count_that_a_parameter_is(
+    workspace: Any, counted: str, default: int, names: dict[str, str]
+) -> None:
+    """`range(count)` begins with what it has by default; how many follow is what the parameter says."""
+    made = f"for i in {counted}:\n            self.create_publisher(String, f'arm_{{i}}', 1)"
+    text = PYTHON.format(read="value", made=made).replace("topics", "count").replace("['/a', '/b']", str(default))
+    found = workspace.package({"pkg/d.py": text}).interfaces()
+    assert {row.name: row.confidence for row in found if row.role == "publisher"} == names

@@ -112,3 +112,29 @@ def test_controllers_take_what_they_do_not_declare(workspace: Any, body: str) ->
     """Their base makes the node, with both options."""
     entry = workspace.package({"src/held.cpp": CONTROLLER.format(body=body)}).only("parameter")
     assert (entry.name, entry.type, entry.default) == ("level", "string", None)
+
+
+ARM = """
+#include <rclcpp/rclcpp.hpp>
+class Arm : public rclcpp::Node {{
+public:
+  explicit Arm(const rclcpp::NodeOptions & options = rclcpp::NodeOptions().allow_undeclared_parameters({says}));
+  double rate_;
+}};
+"""
+ARM_SOURCE = """
+#include "arm.hpp"
+Arm::Arm(const rclcpp::NodeOptions & options) : Node("arm", options) { rate_ = get_parameter("rate").as_double(); }
+int main(int argc, char ** argv) {
+  rclcpp::spin(std::make_shared<Arm>());
+}
+"""
+
+
+@pytest.mark.parametrize(("says", "names"), [("true", {"rate"}), ("false", set())])
+def test_options_that_a_constructor_has_by_default_say_what_its_node_takes(
+    workspace: Any, says: str, names: set[str]
+) -> None:
+    """The default stands where the constructor is declared, not where it is defined."""
+    found = workspace.package({"src/arm.hpp": ARM.format(says=says), "src/main.cpp": ARM_SOURCE}).interfaces()
+    assert {each.name for each in found if each.role == "parameter"} == names

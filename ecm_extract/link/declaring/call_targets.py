@@ -117,8 +117,17 @@ class CallTargets:
         if not isinstance(known, Cls):
             return cls in known
         if func.file.language == "python" or func.is_constructor:
-            return cls in self.folder.program.ancestry(known)
+            return cls in self.folder.program.ancestry(known) or self._fills(func, cls, known)
         return self._dispatching.may_mean(call, func, known)
+
+    def _fills(self, func: Func, cls: Cls, base: Cls) -> bool:
+        """Whether a method of Python is what a derived class has for an abstract one of a base, which never runs."""
+        if func.is_constructor or base not in self.folder.program.ancestry(cls):
+            return False
+        lineage = self.folder.program.ancestry(base)
+        named = (each for entry in lineage for each in entry.methods if each.fact.name == func.fact.name)
+        nearest = next(named, None)
+        return nearest is not None and "pure" in nearest.fact.traits
 
     def _named_classes(self, call: Invocation) -> Container[Cls]:
         """The class in front of the name of a method, with its bases."""

@@ -12,7 +12,7 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import calls_in, children
 from ecm_extract.link.index.module_kinds import takes_undeclared
 
 if TYPE_CHECKING:
@@ -102,7 +102,8 @@ class Undeclared:
 
 
 def _says_so(func: Func) -> bool:
-    if any(_is_option(call) for calls in func.calls for call in calls):
+    by_default = (calls_in(default) for _, default in func.defaults)
+    if any(_is_option(call) for calls in (*func.calls, *by_default) for call in calls):
         return True
     return func.file.language == "python" and any(_is_set(step) or _has_option(step.value) for step in func.fact.body)
 

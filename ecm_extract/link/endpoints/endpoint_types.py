@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from ecm_checker.hub.roles import Role, roles
@@ -12,7 +13,7 @@ from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.endpoints.asked_types import AskedElsewhere, asked_type
-from ecm_extract.link.endpoints.message_fields import written_type
+from ecm_extract.link.endpoints.message_fields import MessageFields
 from ecm_extract.link.folding.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
 from ecm_extract.link.folding.declared_numbers import as_spelled
 from ecm_extract.link.folding.durations import counted
@@ -20,6 +21,7 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.values import Hole, data_in
+from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped_names
 
 _ENVIRONMENT = shipped_names("link/code/library_values.toml", "environment")
@@ -31,9 +33,10 @@ _SINGLE = _NO_TEXT | {"string"}
 class EndpointTypes:
     """Finds the type of what a site declares."""
 
-    def __init__(self, folder: Folder, types: Types) -> None:
+    def __init__(self, folder: Folder, types: Types, packages: Sequence[PackageFacts]) -> None:
         self.folder = folder
         self.types = types
+        self._fields = MessageFields(folder, packages)
         self._asked = AskedElsewhere(folder, self._out_type)
 
     def of(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
@@ -111,7 +114,7 @@ class EndpointTypes:
         """The type of the variable or construction that a default is."""
         if isinstance(default, Name) and default.id in env.args:
             bound = env.args[default.id]
-            return self._default_type(bound.expr, bound.env)
+            return self._default_type(bound.expr, bound.env) or self._parameter_type(default.id, env)
         if isinstance(default, Op) and default.op == "+" and any(isinstance(part, Text) for part in default.operands):
             return "string"
         if isinstance(default, Call) and isinstance(default.callee, Name):
@@ -120,7 +123,21 @@ class EndpointTypes:
                 return self._default_type(inner, env)
             arguments = f"<{', '.join(default.types)}>" if default.types else ""
             return self._declared(default.callee.id + arguments, env)
-        return self._declared(self.folder.objects.type_of(default, env), env) if default is not None else None
+        found = self._declared(self.folder.objects.type_of(default, env), env) if default is not None else None
+        return found or (self._wrapped_type(default, env) if isinstance(default, Name) else None)
+
+    def _parameter_type(self, name: str, env: Env) -> str | None:
+        """The type that a function of C++ declares its parameter with, a template by what it was called with."""
+        written = next((plain(each.type) for each in env.func.fact.params if each.name == name), "")
+        return self._declared(env.types.get(written, written), env) if env.func.file.language == "cpp" else None
+
+    def _wrapped_type(self, default: Name, env: Env) -> str | None:
+        """The type of what a variable of C++ wraps: `const rclcpp::ParameterValue value(given);`."""
+        if not self.folder.objects.type_of(default, env).endswith("ParameterValue"):
+            return None
+        made = [(held.expr, held.env or env) for held in self.folder.origins.of(default, env) if held.how == "value"]
+        found = {self._default_type(expr, place) if isinstance(expr, Call) else None for expr, place in made}
+        return found.pop() if len(found) == 1 else None
 
     def _partly_text(self, default: Expr | None, env: Env) -> str | None:
         """What is put together of a text and something unknown is a text: `os.path.join(folder, "a.yaml")`."""
@@ -154,7 +171,7 @@ class EndpointTypes:
         return self.folder.program.alias(written, env.func.file, env.scope)
 
     def _out_type(self, out: Expr | None, env: Env) -> str | None:
-        written = written_type(out, env, self.folder) if out is not None else ""
+        written = self._fields.written_type(out, env) if out is not None else ""
         bound = env.args.get(out.id) if isinstance(out, Name) else None
         if bound is not None and plain(written) == "auto":  # a template without a head, or a generic lambda
             return self._out_type(bound.expr, bound.env)

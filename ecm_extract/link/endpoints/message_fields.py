@@ -1,25 +1,67 @@
-"""Types of fields of messages that other packages define, of which a tree has no source."""
+"""Types of fields of messages: of those that the tree defines, and of common ones of which it has no source."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import PurePosixPath
 from typing import Final
 
+from ecm_parsers.interface_facts import PRIMITIVES, Definition, Field, Section
 from ecm_parsers.source.expr import Expr, Member
 
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Env
+from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped
 
-_FIELDS: Final = shipped("link/endpoints/message_fields.toml")
+_Fields = Mapping[str, Mapping[str, str]]
+_KNOWN: Final[_Fields] = shipped("link/endpoints/message_fields.toml")
+_OTHERS: Final = {"bool": "bool", "float32": "float", "float64": "double", "string": "std::string"}
+_IN_CPP: Final = {base: _OTHERS.get(base, f"{base}_t") for base in PRIMITIVES}
+"""Primitive types of fields as C++ has them; those of single bytes and wide texts are no types of parameters."""
 
 
-def written_type(expr: Expr, env: Env, folder: Folder) -> str:
-    """Return the type of a variable, or of a field of a message that it is, as written; empty when nothing shows it."""
-    written = folder.objects.type_of(expr, env)
-    if written or not isinstance(expr, Member):
-        return written
-    message = plain(pointee(written_type(expr.base, env, folder)))
-    meant = plain(folder.program.alias(message, env.func.file, env.scope) or message)
-    found: str = _FIELDS.get(meant.replace("::msg::", "::"), {}).get(expr.name, "")
-    return found
+class MessageFields:
+    """Tells the type of a field as C++ declares it.
+
+    Args:
+        folder: knows what variables are.
+        packages: those that define messages, services and actions.
+    """
+
+    def __init__(self, folder: Folder, packages: Sequence[PackageFacts]) -> None:
+        self.folder = folder
+        self._fields: _Fields = {**_KNOWN, **dict(_defined(packages))}
+
+    def written_type(self, expr: Expr, env: Env) -> str:
+        """Return the type of a variable, or of a field of a message that it is, as written, or nothing."""
+        written = self.folder.objects.type_of(expr, env)
+        if written or not isinstance(expr, Member):
+            return written
+        message = plain(pointee(self.written_type(expr.base, env)))
+        meant = plain(self.folder.program.alias(message, env.func.file, env.scope) or message)
+        for shape in ("::msg::", "::srv::", "::action::"):
+            meant = meant.replace(shape, "::")
+        return self._fields.get(meant, {}).get(expr.name, "")
+
+
+def _defined(packages: Sequence[PackageFacts]) -> Iterator[tuple[str, Mapping[str, str]]]:
+    """Yield the classes of what packages define, with their fields: `demo::Add::Request`, and `demo::AddRequest`."""
+    for package in packages:
+        for path, definition in package.interfaces.items():
+            whole = f"{package.name}::{PurePosixPath(path).stem}"
+            for section in definition.sections:
+                fields = {field.name: _in_cpp(field, package.name) for field in section.fields}
+                yield from ((name, fields) for name in _classes(whole, definition, section))
+
+
+def _classes(whole: str, definition: Definition, section: Section) -> tuple[str, ...]:
+    part = section.name.capitalize()
+    return (whole,) if definition.shape == "msg" else (f"{whole}::{part}", f"{whole}{part}")
+
+
+def _in_cpp(field: Field, package: str) -> str:
+    own = _IN_CPP.get(field.base) if field.package is None else None
+    one = own or f"{field.package or package}::{field.base}"
+    return one if field.array == "none" else f"std::vector<{one}>"

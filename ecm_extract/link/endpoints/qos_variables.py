@@ -14,6 +14,7 @@ from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.code.walk import expressions, last_of
+from ecm_extract.link.endpoints.qos_handed import stays
 from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, preset_of
 from ecm_extract.link.folding.declared_members import is_surely_made
 from ecm_extract.link.running.env import Env
@@ -166,7 +167,7 @@ class QosVariables:
             return None if before is None else before | self.profiles.set_by(held.expr, inner)
         if held.how == "handed":  # a function may change it; what is no profile stays none
             before = self._any_of(held.before or (Held("given", held.name),), inner, level)
-            return None if before is None else dict(UNSEEN)
+            return before if before is None or stays(held, self.folder) else dict(UNSEEN)
         if held.how in {"looped", "reached", "entered"}:
             return self._once(held, held.before, inner, level)
         if held.how == "after":
@@ -224,8 +225,6 @@ class QosVariables:
         if given or default is None:
             return given or None
         return self.profiles.policies(default, env.entry(), level + 1) or None
-
-    # --- members -------------------------------------------------------------------------------------------
 
     def _around(self, expr: Name | Member, key: str, env: Env, level: int) -> Policies | None:
         """What a variable is where the function at hand leaves it alone."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.folding.subscripts import part_of
-from ecm_extract.link.running.env import Bound, Env, invocation_of
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, lowered, set_by
 from ecm_extract.shipped import shipped_names
 
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 _VALUES = "link/code/library_values.toml"
 _UNWRAPPING: Final = shipped_names(_VALUES, "parameter_values") | shipped_names(_VALUES, "parameter_texts")
-
+_COPIES: Final = frozenset({"list", "tuple"})
+"""Classes of Python that make a list of the elements of another one, in their order."""
 _CHANGED: Final = frozenset({"changed", "stored", "out", "handed", "reached", "after", "lost"})
 """What becomes of a list that is not, or need not be, what it was read as."""
 
@@ -99,6 +100,9 @@ class ListDefaults:
         call: Expr = made.expr
         while (inner := _value_of(call)) is not None:
             call = inner
+        if isinstance(call, Name | Member) and call is not made.expr:  # of which it is a copy
+            deeper = made.env.deeper(made.env.depth + 1)
+            return self._read(call, deeper) if deeper.depth <= MAX_DEPTH else None
         read = self.folder.reads.read(invocation_of(call, made.env)) if isinstance(call, Call) else None
         if read is None:
             return None
@@ -109,6 +113,8 @@ class ListDefaults:
 
 
 def _value_of(expr: Expr) -> Expr | None:
-    """The parameter whose value an expression takes: `parameter.value`, `parameter.as_string_array()`."""
+    """What an expression takes the value of, or copies: `it.value`, `parameter.as_string_array()`, `list(it)`."""
+    if isinstance(expr, Call) and isinstance(expr.callee, Name) and expr.callee.id in _COPIES:
+        return expr.args[0] if len(expr.args) == 1 and not expr.keywords else None
     taken = expr.callee if isinstance(expr, Call) else expr
     return taken.base if isinstance(taken, Member) and taken.name in _UNWRAPPING else None

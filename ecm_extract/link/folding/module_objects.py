@@ -1,14 +1,15 @@
-"""Objects that variables of Python modules are: `CONFIG = Config()`, and `CONFIG.topic` in any module."""
+"""Members of objects that variables of modules and classes of Python are: `CONFIG = Config()`, and `CONFIG.topic`."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Member
+from ecm_parsers.source.python_dataclasses import is_unchangeable
 
-from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.running.env import Env
+from ecm_extract.link.folding.stated_objects import StatedObjects
+from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import Value, demoted
 
 if TYPE_CHECKING:
@@ -16,28 +17,31 @@ if TYPE_CHECKING:
 
 
 class ModuleObjects:
-    """Folds members that nobody but the constructor of such an object gives anything."""
+    """Tells members that nobody but the constructor of such an object gives anything."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self._stated = StatedObjects(folder)
 
     def member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return what a member has; empty where it is none of such an object, or may be given something else."""
-        root = dotted_name(expr.base) if env.func.file.language == "python" else ""
-        place, ways = self.folder.names.left_by_module(root, env) if root else (None, [])
-        held = ways[0][0] if len(ways) == 1 and len(ways[0]) == 1 else None
-        if place is None or held is None or held.how != "value" or not isinstance(held.expr, Call):
-            return ()
-        made = held.env or place
-        cls = self.folder.objects.class_of(held.expr, made)
-        if cls is None or self.folder.shifting.member(expr.name, cls) or self._is_assigned(expr.name, cls):
-            return ()
-        return demoted(self.folder.fold(Member(held.expr, expr.name), made))
+        bound = self.of(expr, env)
+        return demoted(self.folder.fold(bound.expr, bound.env)) if bound is not None else ()
+
+    def of(self, expr: Member, env: Env) -> Bound | None:
+        """Return the member, asked of the call that makes its object; None of others."""
+        made = self._stated.made(expr.base, env) if not isinstance(expr.base, Call) else None
+        cls = self.folder.objects.class_of(made.expr, made.env) if made is not None else None
+        if made is None or cls is None or self.folder.shifting.member(expr.name, cls):
+            return None
+        return Bound(Member(made.expr, expr.name), made.env) if not self._is_assigned(expr.name, cls) else None
 
     def _is_assigned(self, name: str, cls: Cls) -> bool:
         """Whether somebody else than the methods of a class may assign a member of one of its objects."""
         program = self.folder.program
         lineage = {*program.ancestry(cls), *program.derived(cls)}
+        if all(is_unchangeable(each.fact, each.file.facts.imports) for each in lineage):
+            return False
         for each in self.folder.scope.assigned_outside(name, "python"):
             target = each.statement.target
             owner = target.base if isinstance(target, Member) else None

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op
 
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.running.env import MAX_DEPTH, Env
-from ecm_extract.link.running.values import Hole, Value, given_holes, parameter, set_by, unknown
+from ecm_extract.link.running.values import Hole, Value, given_holes, lowered, parameter, set_by, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -33,10 +33,24 @@ class OpenLists:
         begun = self.folder.list_defaults.elements(expr, env) if whole else ()
         if begun:
             return begun
+        if first := self._first_counted(expr, env) if whole else ():
+            return (*first, item)
         values = self.folder.fold(expr, env) if isinstance(expr, Name | Member) else ()
         names = [value.parameter for value in values if value.parameter]
         set_by_launch = tuple([value for name in names for value in set_by(name, (item,))])
         return set_by_launch or (self._left_open(expr, env) or item,)
+
+    def _first_counted(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
+        """The first number of `range(count)` that parameters have by default: others follow as these are set."""
+        if not isinstance(expr, Call) or expr.callee != Name("range") or expr.keywords:
+            return ()
+        bounds = [self.folder.fold(bound, env) for bound in expr.args]
+        known = [found[0].data for found in bounds if len(found) == 1]
+        numbers = [number for number in known if isinstance(number, int)]
+        if not 1 <= len(numbers) <= 3 or len(numbers) != len(bounds) or 0 in numbers[2:]:
+            return ()
+        counted = range(*numbers)
+        return lowered(self.folder.fold(Number(counted[0]), env), "default") if counted else ()
 
     def taken(self, expr: Expr | None, at: object, env: Env) -> tuple[Value, ...]:
         """Return what the element at an index is: that of a parameter's default, as long as nobody sets it."""

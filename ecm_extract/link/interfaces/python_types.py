@@ -31,9 +31,13 @@ class PythonTypes:
         dotted = dotted_name(expr)
         head, *rest = dotted.split(".")
         imported = env.func.file.imported.get(head)
-        if imported is not None:
-            return self._imported(dotted, ".".join([imported, *rest]), env, role)
-        if env.depth > MAX_DEPTH:
+        found = self._imported(dotted, ".".join([imported, *rest]), env, role) if imported is not None else None
+        if (found is not None and found.name is not None) or env.depth > MAX_DEPTH:
+            return found or UNKNOWN_TYPE
+        stated = self.folder.module_objects.of(expr, env) if isinstance(expr, Member) else None
+        if stated is not None and isinstance(stated.expr, Member):
+            return self._of_object(stated.expr, stated.env.deeper(env.depth + 1), role)
+        if found is not None:
             return UNKNOWN_TYPE
         return self._variable(expr, env, role) if isinstance(expr, Name) else self._attribute(expr, env, role)
 

@@ -12,12 +12,14 @@ from collections.abc import Iterator
 from ecm_parsers.source.expr import THIS
 from ecm_parsers.source.facts import Constant
 
+from ecm_extract.link.code.decorators import is_of_class
 from ecm_extract.link.code.spelling import by_value, last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.owning.handed import Handed, only_loads
 from ecm_extract.link.owning.imported import Imported
 from ecm_extract.link.owning.registered import Registered
+from ecm_extract.link.running.named_classes import class_asked
 
 Unit = Cls | Func
 _NAME = re.compile(r"[\w:.]+")
@@ -95,6 +97,14 @@ class References:
         """Yield the units that make or hold an object of a class."""
         yield from self._makers(cls)
         yield from self._mentioning(cls, self._holders)
+        yield from self.asking(cls)
+
+    def asking(self, cls: Cls) -> Iterator[Unit]:
+        """Yield the units that ask a class of Python itself for a method which makes objects of it, or hands it on."""
+        methods = (each for owner in self.program.ancestry(cls) for each in owner.methods if _uses_own_class(each))
+        for call in (call for method in methods for call in self.sites.calls.get(method.fact.name, ())):
+            if class_asked(call, self.program) is cls:
+                yield call.func.holder or call.func
 
     def importers(self, func: Func) -> Iterator[Unit]:
         """Yield the bodies of the Python files that import the one whose body a function is, and so run it."""
@@ -130,6 +140,12 @@ class References:
         for other in self._handed.functions(func):
             yield other.holder or other
         yield from self.importers(func)
+
+
+def _uses_own_class(method: Func) -> bool:
+    """Tell whether a class method of Python makes an object of its class, or hands that on."""
+    calls = (call for group in method.calls for call in group)
+    return is_of_class(method) and any(THIS in (call.callee, *call.args) for call in calls)
 
 
 def makes_own_class(method: Func) -> bool:

@@ -284,6 +284,10 @@ class Flow:
         """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
         return self.folder.reads.knows(last_name(path)) or leaves_arguments(path)
 
+    def is_of_library(self, name: str, func: Func) -> bool:
+        """Tell whether a name that the file of a function of Python imports is of a module outside of the tree."""
+        return bool(self.folder.program.outside(name, func.file))
+
     def shared_members(self, func: Func) -> Mapping[str, Set[str]]:
         """Return, for members of the object at hand, the others that each may be or consist of, by key."""
         return self.folder.states.kept_members.shared.of(func)

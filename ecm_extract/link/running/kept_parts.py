@@ -11,16 +11,17 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table
+from ecm_parsers.source.expr import Call, Comprehension, Expr, Items, Member, Name, Op, Table
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import shared_names
+from ecm_extract.infer.effect import Effect
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import target_of
 from ecm_extract.link.code.texts import makes_text
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.code.walk import calls_in, given_to, last_of
+from ecm_extract.link.code.walk import calls_in, expressions, given_to, last_of, names_in
 from ecm_extract.link.running.env import Env
 
 if TYPE_CHECKING:
@@ -61,10 +62,14 @@ class _Given(NamedTuple):
 
 
 class _Change(NamedTuple):
-    """A name by which something is changed: what it means itself, or, `deep`, what is in that."""
+    """A name by which something is changed: what it means itself, or, `deep`, what is in that.
+
+    A `member` of some object, as `x.name`, is no variable of a function that is called alike.
+    """
 
     place: _Place
     deep: bool
+    member: bool = False
 
 
 class KeptParts:
@@ -72,6 +77,7 @@ class KeptParts:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self._of_comprehensions: dict[Func, Set[str]] = {}
 
     def of(self, name: str) -> Sequence[Keeping]:
         """Return the functions that let what a name stands for be changed by another one."""
@@ -101,13 +107,14 @@ class KeptParts:
         while pending:
             change = pending.pop()
             if change not in found:
-                place, deep = change
+                place, deep = change.place, change.deep
                 near = alike[place.name] if place.owner is None else {place, _Place(place.name)}
+                near = {each for each in near if not (change.member and isinstance(each.owner, Func))}
                 found |= {change, *(_Change(each, deep) for each in near)}
                 flows = [
                     keeping for each in near for keeping in self._flows.get(each, ()) if deep or not keeping.within
                 ]
-                pending += [_Change(self._place(each.key, each.func), deep or not each.as_it_is) for each in flows]
+                pending += [self._change(each.key, each.func, deep or not each.as_it_is) for each in flows]
         return found
 
     @cached_property
@@ -133,9 +140,15 @@ class KeptParts:
         first, dot, _ = key.partition(".")
         name = key.rpartition(".")[2]
         if not dot:
-            own = func.fact.name != "<module>" and name in self.folder.flow.effects(func).own
+            own = name in self.folder.flow.effects(func).own
+            own = name in self._comprehended(func) if func.fact.name == "<module>" else own
             return _Place(name, func if own else None)
         return _Place(name, self._root(func) if not first and key.count(".") == 1 else None)
+
+    def _comprehended(self, func: Func) -> Set[str]:
+        if func not in self._of_comprehensions:
+            self._of_comprehensions[func] = _comprehended(func)
+        return self._of_comprehensions[func]
 
     def _root(self, func: Func) -> Cls | None:
         """The class that the classes of an object at hand have in common."""
@@ -146,7 +159,7 @@ class KeptParts:
         """Yield what the body of a function changes, or changes a part of; what others get is not looked into here."""
         func, effects = outline.func, outline.effects
         for at, entry in enumerate(func.fact.body):
-            for effect in (each for each in effects.of(at) if each.kind != "handed"):
+            for effect in (each for each in effects.of(at) if not self._is_handed(each, func, at)):
                 yield from self._ways_to(effect.key, func, deep=effect.kind != "changed")
             element = isinstance(entry.target, Op) and entry.target.op == "[]"
             grown = entry.type.endswith("=") and not _is_text(entry)
@@ -155,17 +168,25 @@ class KeptParts:
                 key = effects.key(target)
                 yield from self._ways_to(key or effects.root(target), func, deep=not key)
 
+    def _is_handed(self, effect: Effect, func: Func, at: int) -> bool:
+        """Whether somebody who is not seen gets a variable, or an element of it."""
+        is_part = effect.kind == "reached" and self.folder.flow.target(effect.call, func, at) is None
+        return effect.kind == "handed" or is_part
+
     def _ways_to(self, key: str, func: Func, deep: bool) -> Iterator[_Change]:
         """Yield what a key stands for, and what it lies in: `t.rows.x`, `t.rows`, `t`."""
         while key:
-            yield _Change(self._place(key, func), deep)
+            yield self._change(key, func, deep)
             key, deep = key.rpartition(".")[0], True
+
+    def _change(self, key: str, func: Func, deep: bool) -> _Change:
+        return _Change(self._place(key, func), deep, "." in key)
 
     def _given(self, outline: Outline) -> Iterator[_Given]:
         """Yield the names by which a function keeps something, or hands it to others, with what it is."""
         func = outline.func
         for entry in func.fact.body:
-            value, held = entry.value, isinstance(entry.value, Items | Table)
+            value, held = entry.value, isinstance(entry.value, Items | Table | Comprehension)
             if value is None or is_plain(value) or (entry.kind == "each" and self._is_of_plain(value, outline)):
                 continue
             if entry.kind == "return" or entry.type.startswith("yield"):
@@ -202,6 +223,15 @@ class KeptParts:
         puts = isinstance(call.callee, Member) and call.callee.name in outline.effects.calls.changing
         key = outline.effects.root(call.callee.base) if puts and isinstance(call.callee, Member) else ""
         yield from (_Given(self._place(key, func), value, True) for value in given if key)
+
+
+def _comprehended(func: Func) -> Set[str]:
+    """The variables of comprehensions in the body of a module that are nothing else there: nobody asks it for them."""
+    parts = (expr for statement in func.fact.body for expr, _ in expressions(statement))
+    loops = {at for expr in parts if isinstance(expr, Comprehension) for at in expr.loops}
+    bound = [(at in loops, set(names_in(each.target))) for at, each in enumerate(func.fact.body)]
+    inside = (names for is_loop, names in bound if is_loop)
+    return set[str]().union(*inside).difference(*(names for is_loop, names in bound if not is_loop))
 
 
 def _is_text(entry: Statement) -> bool:

@@ -223,7 +223,7 @@ class Objects:
             return Instance(cls, {}, {})
         bare = pointee(written)
         full = bare if "<" in bare else self.program.alias(plain(bare), env.func.file, env.scope) or bare
-        types = dict(zip(owner.fact.template, template_arguments(full), strict=False))
+        types = dict(zip(owner.fact.template, [env.types.get(x, x) for x in template_arguments(full)], strict=False))
         return self.part(Instance(owner, {}, types), cls) or Instance(cls, {}, {})
 
     def runs(self, func: Func, made: Instance | None) -> bool:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
+from ecm_parsers.source.python_dataclasses import is_unchangeable
 
 from ecm_extract.infer.effects import is_plain, is_within
 from ecm_extract.link.code.calls import dotted_name
@@ -16,6 +17,9 @@ from ecm_extract.resolve.cpp_constants import Stated
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
+
+MAX_NAMES: Final = 6
+"""Variables that one object has, each given by the next: `state = low.output.state`."""
 
 
 class SharedVariables:
@@ -41,7 +45,7 @@ class SharedVariables:
     def _is_kept(self, stated: Stated) -> bool:
         """Whether somebody keeps a list, a table or an object by another name, by which it is changed."""
         constant = stated.constant
-        for kept in self.folder.kept_parts.of(constant.name) if not is_plain(constant.value) else ():
+        for kept in self.folder.kept_parts.of(constant.name) if not self._stays(stated) else ():
             func, key, root = kept.func, kept.key, kept.key.rpartition(".")[0]
             if self._leads_to(root, func, stated) if root or constant.scope else self._means(key, func, stated):
                 return True
@@ -49,7 +53,7 @@ class SharedVariables:
 
     def _changes(self, func: Func, stated: Stated) -> bool:
         name, outline = stated.constant.name, self.folder.flow.outline(func)
-        changed = outline.given if is_plain(stated.constant.value) else outline.changes  # who gets a text leaves it
+        changed = outline.given if self._stays(stated) else outline.changes  # who gets a text leaves it
         own = _defined(func, stated)
         again = bool(own) and outline.changes.get(own, 0) > 1
         others = [key for key in changed if not own or not is_within(key, own) or (key == own and again)]
@@ -67,7 +71,26 @@ class SharedVariables:
             return self._means(f"{root}.{constant.name}", func, stated)
         named = root.rpartition(".")[2] in {last_name(constant.scope), "cls", "__class__"}
         named = named or (not root and is_of_class(func))
-        return named or not is_plain(constant.value)
+        return named or not self._stays(stated)
+
+    def _stays(self, stated: Stated) -> bool:
+        """Whether nobody can change what a variable is, but only give it something else: a text, a named tuple."""
+        meant: Stated | None = stated
+        for _ in range(MAX_NAMES):
+            value = meant.constant.value if meant is not None else None
+            if meant is None or is_plain(value):
+                return meant is not None
+            if isinstance(value, Call):
+                return self._makes_unchangeable(value, meant)
+            named = dotted_name(value) if isinstance(value, Name | Member) else ""
+            meant = self.folder.program.constant_named(named, meant.file) if named else None
+        return False
+
+    def _makes_unchangeable(self, made: Call, stated: Stated) -> bool:
+        program = self.folder.program
+        cls = program.class_named(dotted_name(made.callee), stated.file, stated.constant.scope)
+        lineage = program.ancestry(cls) if cls is not None else ()
+        return bool(lineage) and all(is_unchangeable(each.fact, each.file.facts.imports) for each in lineage)
 
     def _means(self, dotted: str, func: Func, stated: Stated) -> bool:
         """Whether a name means the variable in a file that imports it, or its module."""

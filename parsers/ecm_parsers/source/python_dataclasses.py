@@ -30,6 +30,8 @@ class _Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     makers: frozenset[str]
     factories: tuple[str, ...]
     tuples: frozenset[str]
+    fixed: frozenset[str]
+    fixing: str
 
 
 class Imported(NamedTuple):
@@ -78,6 +80,14 @@ def fills(decorator: str) -> bool:
 def tuple_makers() -> frozenset[str]:
     """Return the full names of functions that make a class of named tuples."""
     return _table().tuples
+
+
+def is_unchangeable(cls: Class, imports: Iterable[Import]) -> bool:
+    """Tell whether nobody can give a field of an object of a class anything once it is made."""
+    table, imported = _table(), Imported.of(imports)
+    says = (imported.full(each) for each in (*cls.bases, *map(spelled, cls.decorators)))
+    keywords = (pair for each in cls.decorators if isinstance(each, Call) for pair in each.keywords)
+    return not table.fixed.isdisjoint(says) or (table.fixing, Constant("true")) in keywords
 
 
 def declared_fields(cls: Class, imports: Iterable[Import]) -> Sequence[DeclaredField] | None:
