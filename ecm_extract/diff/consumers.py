@@ -131,8 +131,8 @@ def _is_forgotten(requirement: Requirement, located: Located, broken: BrokenName
     """Whether a line of the new side can be one that the release forgot.
 
     Its C++ was built with the change; a publisher that lost its listener in the same release is no accident; a package
-    that it depends on and no longer has is taken from elsewhere; a file that came with it means what is there now, where
-    only a part of a name tells.
+    that it depends on and no longer has is taken from elsewhere; where only a part of a name tells, a file that came
+    with it means what is there now.
     """
     entity, change = located.pair.old, located.change
     if entity is not None and entity.is_computed and not any(broken.is_older(at.path) for at in requirement.evidence):

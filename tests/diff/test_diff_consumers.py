@@ -136,7 +136,7 @@ def test_a_file_that_came_with_a_release_forgets_no_computed_name(
     """Who wrote it meant what is there now; one that was there before may have been forgotten."""
     repo = tmp_path / "arm"
     make = "project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION x)\n"
-    launch = '<launch><rosparam command="load" file="$(find arm)/%s"/></launch>\n' % path
+    launch = f'<launch><rosparam command="load" file="$(find arm)/{path}"/></launch>\n'
     files = {"package.xml": ROS1, "CMakeLists.txt": make, "launch/a.launch": launch}
     values, code = {path: "part:\n  rate: 2\n"}, HANDLE.format(line='own.param("rate", r_, 1);')
     release(repo, {**files, "src/arm.cpp": code, **(values if forgotten else {})}, "1.0.0")
