@@ -292,6 +292,7 @@ def _target(call: Call, name: str, kind: TargetKind, given: list[str]) -> Target
         is_test=kind == "test" or call.is_test,
         conditions=call.conditions,
         is_shared=_is_shared(call) if kind == "library" else False,
+        is_objects=kind == "library" and "OBJECT" in call.args[1:2],
         is_open=any(map(_is_open, sources)),
         links=tuple(objects_used(given)),
     )

@@ -37,6 +37,7 @@ class BrokenNames:
 
     def __init__(self, located: Iterable[Located], old: Side, new: Side, own: Sequence[Consumer] = ()) -> None:
         self.brought = Brought(own)
+        self._before = old.paths
         self._ros = {each.ros for side in (old, new) for each in side.packages.values()}
         self._located = tuple(located)
         self._changes: dict[Key, list[Located]] = defaultdict(list)
@@ -58,6 +59,10 @@ class BrokenNames:
     def is_of_other_ros(self, consumer: Consumer) -> bool:
         """Whether a consumer is of a ROS that no package of either side is of."""
         return consumer.ros is not None and bool(self._ros) and not self._ros & {consumer.ros, None}
+
+    def is_older(self, path: str) -> bool:
+        """Whether the old side had a file, which the new side may have forgotten."""
+        return path in self._before
 
     def is_empty(self) -> bool:
         """Whether nothing can break."""

@@ -66,7 +66,7 @@ def _uses(requirement: Requirement, consumer: Consumer, question: _Question) -> 
     for found in _breaks(requirement, consumer, question.broken):
         if _is_answered(requirement, found) or question.remaps.lead_elsewhere(requirement, consumer.package):
             continue
-        if question.own and not _is_forgotten(requirement, found.located):
+        if question.own and not _is_forgotten(requirement, found.located, question.broken):
             continue
         alive = question.remaps.keep_alive(found.located)
         for at in requirement.evidence:
@@ -127,13 +127,16 @@ def _duties(requirement: Requirement, broken: BrokenNames) -> Iterator[_Break]:
             yield _Break(located, "likely" if forwarded else "proved", what)
 
 
-def _is_forgotten(requirement: Requirement, located: Located) -> bool:
+def _is_forgotten(requirement: Requirement, located: Located, broken: BrokenNames) -> bool:
     """Whether a line of the new side can be one that the release forgot.
 
     Its C++ was built with the change; a publisher that lost its listener in the same release is no accident; a package
-    that it depends on and no longer has is taken from elsewhere.
+    that it depends on and no longer has is taken from elsewhere; where only a part of a name tells, a file that came
+    with it means what is there now.
     """
     entity, change = located.pair.old, located.change
+    if entity is not None and entity.is_computed and not any(broken.is_older(at.path) for at in requirement.evidence):
+        return False
     if requirement.row.brings and change.change == "removed":
         return False
     if change.row.duty:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 import msgspec
 from ecm_checker.hub.kinds import containers, kinds, kinds_that
-from ecm_checker.hub.provision import HOLE, LAUNCHED, Key, Provision
+from ecm_checker.hub.provision import HOLE, LAUNCHED, SENT, Key, Provision
 from ecm_checker.hub.roles import module_kinds
 from ecm_checker.match.hierarchy import Bases
 
@@ -28,6 +28,7 @@ from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.same_line import same_lines
 from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
+from ecm_extract.diff.sent_frames import SentFrames
 from ecm_extract.diff.settings import SettingFiles
 from ecm_extract.diff.shared_parts import SharedParts
 from ecm_extract.diff.sharing import by_sharers
@@ -68,7 +69,7 @@ class Pairing:
         self.modules: dict[tuple[str, str], tuple[str, str]] = {}
         self.bases = Bases(new)
         self._parts = SharedParts(old.values(), new.values())
-        self._packaged = WithPackage(old, new)
+        self._packaged, self._sent = WithPackage(old, new), SentFrames(old, new)
         self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in module_kinds()}
         self._owners = frozenset((key[1], key[2] or key[3]) for key in new)
 
@@ -109,7 +110,7 @@ class Pairing:
 
     def _is_there(self, entity: Provision) -> bool:
         """Whether what no declaration shows any more is still read, or set by its name."""
-        if self._is_bound(entity):
+        if self._is_bound(entity) or (entity.facet == SENT and self._sent.may_be_there(entity)):
             return True
         if entity.is_value:
             return (entity.package, entity.name.lstrip("~/")) in self.evidence.reads
@@ -143,7 +144,7 @@ class Pairing:
             self.take(found)
         for side in (self.old, self.new):
             for entity in list(side.values()):
-                if entity.row.runs and (entity.facet == LAUNCHED or entity.name == HOLE):
+                if entity.name == HOLE or (entity.row.runs and entity.facet == LAUNCHED):
                     side.pop(entity.key)
 
     def _settings(self) -> None:

@@ -16,6 +16,9 @@ _HEADER: Final = "std_msgs/Header"
 _ALIKE: Final = 0.6
 _SAME_CONTENT: Final = 0.9
 _LEAST_HELD: Final = 2
+_LEAST_OF_FEW: Final = 1 / 2
+_LEAST_OF_MANY: Final = 1 / 3
+"""Shares of the message with fewer parts and of that with more; one word in common is in any two of a package."""
 Parts = dict[str, list[Provision]]
 Content = frozenset[tuple[str, str, str | None, str]]
 """Kind, name, type and value of each part."""
@@ -47,7 +50,10 @@ class SharedParts:
         before, after = self._old.get(old.name, []), self._new.get(new.name, [])
         if not before or not after or [each.type for each in before] == [each.type for each in after]:
             return True
-        return any(_is_alike(one, other) for one in before for other in after)
+        left = sum(any(_is_alike(one, other) for other in after) for one in before)
+        right = sum(any(_is_alike(one, other) for one in before) for other in after)
+        least, most = sorted((len(before), len(after)))
+        return min(left, right) >= max(_LEAST_OF_FEW * least, _LEAST_OF_MANY * most)
 
 
 def _parts(entities: Iterable[Provision]) -> Parts:

@@ -40,8 +40,13 @@ class WithPackage:
                 yield from (self._pair(entity, target) for target in islice(found, 1))
 
     def _pair(self, old: Provision, new: Provision) -> Pair:
-        """One that is got by other words than before is told; a part of a whole is told by that."""
-        if (old.row.part and (old.package, old.owner) in self._wholes) or self._is_taken_in_alike(old, new):
+        """One that is got by other words than before is told; a part of a whole is told by that.
+
+        Values that a file sets go with the file, and what the graph or robots call so knows of no package.
+        """
+        stays = old.row.sets or old.row.runs or (old.row.anywhere and old.name == new.name)
+        part = old.row.part and (old.package, old.owner) in self._wholes
+        if stays or part or self._is_taken_in_alike(old, new):
             return Pair(old, new)
         how: How = "moved" if old.name == new.name or old.row.qualified else "renamed"
         return Pair(old, new, how, _WITH_PACKAGE, f"its package is {new.package} now")

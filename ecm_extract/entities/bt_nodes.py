@@ -8,7 +8,7 @@ from ecm_checker.hub.provision import Line, Provision
 from ecm_parsers.source.expr import Call, Constant, Number, Text
 from ecm_parsers.source.facts import Function, SourceFile
 
-from ecm_extract.entities.public_files import inside
+from ecm_extract.entities.paths import inside
 from ecm_extract.entities.signatures import normal_type
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.walk import dotted, expressions

@@ -24,6 +24,7 @@ from ecm_extract.entities.packaging import packaging_entities
 from ecm_extract.entities.parameter_settings import parameter_settings
 from ecm_extract.entities.python import python_entities
 from ecm_extract.entities.side_texts import SideTexts
+from ecm_extract.entities.transforms import transform_entities
 from ecm_extract.entities.written_lines import with_lines
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
@@ -112,6 +113,7 @@ def _of_package(
     yield from interface_entities(facts)
     yield from endpoint_entities(texts.speaking, facts, modules)
     yield from node_entities(facts, modules)
+    yield from transform_entities(facts, modules)
     yield from cpp_entities(facts)
     yield from python_entities(facts)
     yield from bt_entities(facts, ports)

@@ -16,7 +16,7 @@ from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.robot_names import NamedLine, RobotNames, parse_robot_names
 
 from ecm_extract.entities.launch_conditions import conditions_of, together
-from ecm_extract.entities.public_files import inside
+from ecm_extract.entities.paths import inside
 from ecm_extract.entities.side_texts import DESCRIPTIONS, SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.test_code import is_test_path

@@ -32,6 +32,7 @@ class InstallRule(msgspec.Struct, frozen=True):
         destination: below the folder of installation, without `..`; what is not known stays a reference.
         words: keywords of the rule.
         renamed: what `RENAME` calls the only item; empty without it.
+        by_default: whether a build without settings of its own takes it; None where that is not known.
     """
 
     kind: str
@@ -41,6 +42,7 @@ class InstallRule(msgspec.Struct, frozen=True):
     path: str
     line: int
     renamed: str = ""
+    by_default: bool | None = True
 
     @property
     def folder(self) -> str:
@@ -70,7 +72,8 @@ def place_of(path: str, rule: InstallRule) -> str | None:
 def _rule(entry: Install, path: str) -> InstallRule:
     items = tuple(item.removeprefix("./") for item in entry.items)
     place = normpath(f"/{entry.destination}").strip("/")
-    return InstallRule(_KINDS[entry.kind], items, place, frozenset(entry.words), path, entry.line, entry.renamed)
+    kind, words = _KINDS[entry.kind], frozenset(entry.words)
+    return InstallRule(kind, items, place, words, path, entry.line, entry.renamed, entry.by_default)
 
 
 def lives_in_devel_space(package: PackageFacts) -> bool:

@@ -11,7 +11,7 @@ from ecm_parsers.launch.templates import written
 
 from ecm_extract.entities.launch_values import is_judged
 from ecm_extract.entities.parameter_settings import plain
-from ecm_extract.entities.public_files import inside
+from ecm_extract.entities.paths import inside
 from ecm_extract.entities.setting import SETTING
 from ecm_extract.read.facts import PackageFacts
 

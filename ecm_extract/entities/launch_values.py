@@ -11,7 +11,7 @@ from ecm_parsers.launch.model import Action, Argument, LaunchFile, SetConfigurat
 from ecm_parsers.launch.templates import all_actions, plain_text
 
 from ecm_extract.entities.launch_reads import is_partly_read, reads
-from ecm_extract.entities.public_files import inside
+from ecm_extract.entities.paths import inside
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_aside
 

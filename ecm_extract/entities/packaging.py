@@ -56,7 +56,9 @@ def _targets(facts: PackageFacts) -> Iterator[Provision]:
     installed |= _handed_over(facts)
     for path, file in facts.cmake.items():
         for target in file.targets:
-            if target.kind not in {"executable", "library"} or target.is_test or "$" in (target.output or target.name):
+            if target.kind not in {"executable", "library"} or target.is_test or target.is_objects:
+                continue
+            if "$" in (target.output or target.name):
                 continue
             if target.name in installed or _runs_where_built(target, facts):
                 yield Provision(

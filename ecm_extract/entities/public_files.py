@@ -7,6 +7,8 @@ from pathlib import PurePosixPath
 
 from ecm_parsers.cmake_facts import FileReference
 
+from ecm_extract.entities.installed_packages import InstalledPackages
+from ecm_extract.entities.paths import inside
 from ecm_extract.entities.program_files import of_programs, script_modules
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.source_suffixes import is_included
@@ -89,7 +91,7 @@ def program_modules(facts: PackageFacts) -> dict[str, str]:
 
 def _importable(facts: PackageFacts) -> dict[str, str]:
     """The path of each importable module with its dotted name; names with an underscore are private."""
-    roots = _import_roots(facts)
+    roots, installed = _import_roots(facts), InstalledPackages(facts)
     found = {}
     for path, source in facts.sources.items():
         if source.language != "python" or not path.endswith(".py"):
@@ -97,6 +99,8 @@ def _importable(facts: PackageFacts) -> dict[str, str]:
         below = inside(path, facts.root.path)
         root = next((root for root in roots if below.startswith(root)), None)
         if root is None or below.removeprefix(root).split("/")[0] in _NO_PACKAGES:
+            continue
+        if not installed.have(root, below.removeprefix(root).removesuffix(".py").split("/")[0]):
             continue
         dotted = below.removeprefix(root).removesuffix(".py").replace("/", ".").removesuffix(".__init__")
         if not any(part.startswith("_") for part in dotted.split(".")):
@@ -138,8 +142,3 @@ def _import_roots(facts: PackageFacts) -> list[str]:
 def _package_folders(named: Iterable[FileReference]) -> Iterator[str]:
     """Folders that installed packages lie in, where they are told: `PACKAGE_DIR python/arm`."""
     return (entry.path.rpartition("/")[0] for entry in named if "/" in entry.path and "$" not in entry.path)
-
-
-def inside(path: str, root: str) -> str:
-    """Return a path relative to the folder of its package."""
-    return path.removeprefix(f"{root}/") if root else path

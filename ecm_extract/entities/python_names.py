@@ -12,7 +12,7 @@ from ecm_parsers.cmake_facts import Command
 from ecm_parsers.source.expr import Call, Expr, Name
 from ecm_parsers.source.facts import Function, SourceFile
 
-from ecm_extract.entities.public_files import inside
+from ecm_extract.entities.paths import inside
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Final
 
 import msgspec
@@ -44,13 +45,31 @@ def build_file_requirements(written: Written, facts: PackageFacts) -> Iterator[R
     if facts.root.rosbuild or not facts.cmake:
         return
     words = build_words(written, facts)
-    for rule in install_rules(facts):
-        if rule.kind != "TARGETS" and "OPTIONAL" not in rule.words:
+    rules = list(install_rules(facts))
+    chosen = _of_machines(rules, facts)
+    for rule in rules:
+        if rule.kind != "TARGETS" and "OPTIONAL" not in rule.words and (rule.path, rule.line) not in chosen:
             yield from _installed(rule, words, facts)
     for path, file in facts.cmake.items():
         for command in file.commands:
             yield from _headers(command, path, facts)
             yield from _libraries(command, path, facts)
+
+
+def _of_machines(rules: Iterable[InstallRule], facts: PackageFacts) -> frozenset[tuple[str, int]]:
+    """Places of rules of which something that is not known chooses the files, one of which is there.
+
+    `lib/${PLATFORM}/a.so` where the processor gives PLATFORM: nobody builds for those that it has no file for.
+    """
+    open_rules = [rule for rule in rules if rule.by_default is None]
+    count = Counter((rule.path, rule.line) for rule in open_rules)
+    there = {entry.path for entry in facts.root.files}
+    there |= {path[:at] for path in there for at, letter in enumerate(path) if letter == "/"}
+    return frozenset(
+        (rule.path, rule.line)
+        for rule in open_rules
+        if count[rule.path, rule.line] > 1 and all(f"{rule.folder}{item}".rstrip("/") in there for item in rule.items)
+    )
 
 
 def build_words(written: Written, facts: PackageFacts) -> Words:

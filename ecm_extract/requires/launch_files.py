@@ -33,7 +33,7 @@ from ecm_parsers.launch.templates import holed, plain_text, written
 
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.launch_conditions import conditions_of, together
-from ecm_extract.entities.public_files import inside
+from ecm_extract.entities.paths import inside
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.launch_values import value_requirements

@@ -13,7 +13,7 @@ from ecm_parsers.launch.templates import plain_text, substitutions
 from ecm_parsers.parameter_yaml import parse_parameter_yaml
 
 from ecm_extract.entities.launch_values import is_judged
-from ecm_extract.entities.public_files import inside
+from ecm_extract.entities.paths import inside
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, Reader, required
 from ecm_extract.test_code import is_test_path

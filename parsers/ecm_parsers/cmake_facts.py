@@ -30,6 +30,7 @@ class Target(msgspec.Struct, frozen=True):
         conditions: under which it is built, as written; those that are decided are left out.
         by_default: whether a build without settings of its own builds it; None where that is not known.
         is_shared: whether a library is a file of its own that programs load; None where that is not known.
+        is_objects: whether a library is no file at all, only objects that other targets of its build take.
         include_folders: in which its headers are looked for, relative as the sources.
         optional: the sources that such a build does not have. is_open: whether it may have others.
     """
@@ -46,6 +47,7 @@ class Target(msgspec.Struct, frozen=True):
     optional: tuple[str, ...] = ()
     is_open: bool = False
     is_shared: bool | None = False
+    is_objects: bool = False
     include_folders: tuple[str, ...] = ()
 
 

@@ -118,3 +118,31 @@ def test_a_parameter_that_is_read_is_still_one(tmp_path: Path, capsys: pytest.Ca
     text = "arm:\n  ros__parameters:\n    rate: 2\n    gain: 3\n"
     write(user, {"package.xml": package("user"), "param/arm.yaml": text})
     assert lines(findings(capsys, repo, user), "param/arm.yaml") == [4]
+
+
+HANDLE = """#include <ros/ros.h>
+class Part {{ public: void init(ros::NodeHandle & nh, const std::string & name) {{
+  ros::NodeHandle own(nh, name); {line} }} }};
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "arm"); ros::NodeHandle nh; Part part; part.init(nh, argv[1]); }}
+"""
+ROS1 = package("arm").replace("ament_cmake", "catkin").replace("rclcpp", "roscpp")
+
+
+@pytest.mark.parametrize(("path", "forgotten"), [("config/new.yaml", False), ("config/arm.yaml", True)])
+def test_a_file_that_came_with_a_release_forgets_no_computed_name(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], path: str, forgotten: bool
+) -> None:
+    """Who wrote it meant what is there now; one that was there before may have been forgotten."""
+    repo = tmp_path / "arm"
+    make = "project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION x)\n"
+    launch = f'<launch><rosparam command="load" file="$(find arm)/{path}"/></launch>\n'
+    files = {"package.xml": ROS1, "CMakeLists.txt": make, "launch/a.launch": launch}
+    values, code = {path: "part:\n  rate: 2\n"}, HANDLE.format(line='own.param("rate", r_, 1);')
+    release(repo, {**files, "src/arm.cpp": code, **(values if forgotten else {})}, "1.0.0")
+    release(repo, {"src/arm.cpp": HANDLE.format(line=""), **values}, "2.0.0")
+    run(["diff", "1.0.0", "2.0.0", "--repo", str(repo), "--format", "json", "--no-cache"])
+    found = json.loads(capsys.readouterr().out)
+    changes = [(each["change"], each["old"]) for each in found["changes"] if each["kind"] == "parameter"]
+    assert changes == [("removed", "/<*>/rate")]
+    assert bool(lines(found["findings"], path)) is forgotten

@@ -191,3 +191,18 @@ def test_a_parameter_that_is_read_as_two_types_has_both(told, before: str, break
     old = {"arm/package.xml": ROS1, "arm/CMakeLists.txt": CMAKE, "arm/src/arm.cpp": source % read[before]}
     found = told(old, {"arm/src/arm.cpp": source % f"{read['int']} {read['double']}"})
     assert bool({each for each in found if each[:2] == ("parameter", "type_changed")}) is breaks
+
+
+def test_values_and_launched_nodes_of_a_renamed_package_stay(told) -> None:  # type: ignore[no-untyped-def]
+    """Values go with their file, and a node has its name in the graph: what moved are the files that give them."""
+    make = "project(arm)\ninstall(DIRECTORY config launch DESTINATION share/arm)\n"
+    launch = "<launch><node pkg='tools' exec='bar' name='bar'/></launch>\n"
+    values = "bar:\n  ros__parameters:\n    rate: %d\n    gain: 3\n"
+    old = {"arm/CMakeLists.txt": make, "arm/config/bar.yaml": values % 2, "arm/launch/bar.launch.xml": launch}
+    new = {path.replace("arm/", "hand/", 1): text for path, text in old.items()}
+    new |= {"hand/config/bar.yaml": values % 5, "hand/CMakeLists.txt": make.replace("arm", "hand")}
+    found = told(old, {"hand/package.xml": package("hand"), **new, **dict.fromkeys(old), "arm/package.xml": None})
+    settings = {(change, name) for kind, change, name, _ in found if kind == "parameter_setting"}
+    assert settings == {("default_changed", "bar.rate")}
+    assert ("launch_file", "moved", "arm: bar.launch.xml", "hand: bar.launch.xml") in found
+    assert not [each for each in found if each[0] == "node"]

@@ -65,3 +65,12 @@ def test_a_library_that_a_command_of_another_package_is_given(told, given: bool)
     old = {"arm/CMakeLists.txt": make + installs, "arm/src/arm.cpp": "int arm() { return 1; }\n"}
     gone = ("library", "removed", "arm", None) in told(old, {"arm/CMakeLists.txt": make + handed})
     assert gone is not given
+
+
+@pytest.mark.parametrize(("kind", "is_told"), [("OBJECT", False), ("SHARED", True), ("", True)])
+def test_objects_that_a_build_keeps_are_no_library(told, kind: str, is_told: bool) -> None:  # type: ignore[no-untyped-def]
+    """Nobody finds a file of them, though they stand in an install rule for what links them."""
+    make = f"project(arm)\nadd_library(arm {kind} src/arm.cpp)\ninstall(TARGETS arm EXPORT arms DESTINATION lib)\n"
+    old = {"arm/CMakeLists.txt": make, "arm/src/arm.cpp": "int arm() { return 1; }\n"}
+    found = told(old, {"arm/CMakeLists.txt": "project(arm)\n"})
+    assert (("library", "removed", "arm", None) in found) is is_told

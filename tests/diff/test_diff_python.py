@@ -13,11 +13,17 @@ _SCRIPT = (
     "from setuptools import setup\n"
     "setup(name='arm', packages=['arm'], entry_points={'console_scripts': ['qos = arm.qos:main']})\n"
 )
+_EMPTY = "import os\n"
 OLD = "class QoSPolicy(IntEnum):\n    FIRST = 1\n    LAST = 2\n"
 
 
 def _module(text: str) -> Files:
     return {**BASE, "arm/arm/qos.py": text}
+
+
+def _named(what: str) -> Files:
+    setup = f"from setuptools import find_packages, setup\nsetup(name='arm', {what})\n"
+    return {"arm/setup.py": setup, "arm/arm/__init__.py": ""}
 
 
 CASES = {
@@ -73,6 +79,29 @@ CASES = {
         {**_module("class Tool:\n    def run(self):\n        pass\n\ndef main():\n    Tool().run()\n")},
         {"arm/setup.py": _SCRIPT, "arm/arm/qos.py": "def main():\n    pass\n"},
         {("class", "removed", "arm.qos.Tool", None)},
+        True,
+    ),
+    "a folder that is not installed as a package": (
+        {**BASE, "arm/tools/qos.py": _EMPTY, "arm/stop.py": _EMPTY},
+        {"arm/tools/qos.py": None, "arm/stop.py": None},
+        set(),
+        False,
+    ),
+    "a folder and a module that are": (
+        {**_named("packages=['arm', 'tools'], py_modules=['stop']"), "arm/tools/qos.py": _EMPTY, "arm/stop.py": _EMPTY},
+        {"arm/tools/qos.py": None, "arm/stop.py": None},
+        {("file", "removed", "tools.qos", None), ("file", "removed", "stop", None)},
+        True,
+    ),
+    "a folder that a search finds, and one that it does not": (
+        {
+            **_named("packages=find_packages()"),
+            "arm/tools/qos.py": _EMPTY,
+            "arm/more/qos.py": _EMPTY,
+            "arm/more/__init__.py": "",
+        },
+        {"arm/tools/qos.py": None, "arm/more/qos.py": None},
+        {("file", "removed", "more.qos", None)},
         True,
     ),
     "an argument among those that are given by name": (

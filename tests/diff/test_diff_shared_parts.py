@@ -15,6 +15,10 @@ import pytest
         ("float64 a\n", "float64 value\n", True),
         ("uint8 OPEN=1\nuint8 grip\n", "uint8 OPEN=1\nint32 goods\n", True),
         ("", "int32 goods\n", True),
+        ("Pose[] poses\nbool grip_ok\nstring grip_mode\n", "Pose[] poses\nint32 goods\nstring source\n", False),
+        ("int32 a\nint32 b\nint32 c\nint32 grip_d\n", "int32 good_d\n", False),
+        ("int32 a\nint32 b\nint32 grip_d\n", "int32 good_d\n", True),
+        ("Pose[] poses\nbool grip_ok\nstring mode\n", "Pose[] poses\nbool good_ok\nint32 goods\n", True),
     ],
 )
 def test_a_message_of_another_name_has_something_of_the_old_one(told, old: str, new: str, one: bool) -> None:  # type: ignore[no-untyped-def]

@@ -222,6 +222,11 @@ def misspelled(started: str) -> Files:
     }
 
 
+def turned(module: str) -> Files:
+    """A name of package.xml whose letters are those of a package, and code that imports one."""
+    return {"package.xml": manifest("rcply"), "scripts/a.py": f"#!/usr/bin/env python3\nimport {module}\n"}
+
+
 def given(target: str) -> Files:
     inner = launch(
         '<arg name="labels" default="/decomposer/label"/>',

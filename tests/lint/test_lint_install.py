@@ -25,6 +25,14 @@ add_library(part a.cpp)
 target_link_libraries(part PUBLIC core)
 target_link_libraries(run part)
 """
+MACHINE = """execute_process(COMMAND uname -m OUTPUT_VARIABLE machine)
+if(${{machine}} MATCHES "arm")
+set(where {})
+else()
+set(where {})
+endif()
+"""
+CHOSEN = "install(FILES include/${where}/core.h DESTINATION share)\n"
 ROWS = [
     (1, f"{BUILT}add_library(core a.cpp)\ntarget_link_libraries(run core)\ninstall(TARGETS run {BIN})", ["LNT057"]),
     (1, f"{BUILT}add_library(core STATIC a.cpp)\ntarget_link_libraries(run core)\ninstall(TARGETS run {BIN})", []),
@@ -50,6 +58,9 @@ ROWS = [
     (1, "configure_file(a.in config)\ninstall(FILES config DESTINATION share)", []),
     (1, "foreach(dir include)\ninstall(DIRECTORY ${dir}/pkg/ DESTINATION include/pkg)\nendforeach()", []),
     (1, "foreach(config include)\ninstall(DIRECTORY ${dir}/ DESTINATION share/${dir})\nendforeach(dir)", ["LNT059"]),
+    (1, MACHINE.format("pkg", "arm") + CHOSEN, []),
+    (1, MACHINE.format("x64", "arm") + CHOSEN, ["LNT059"]),
+    (1, f"foreach(where pkg arm)\n{CHOSEN}endforeach()", ["LNT059"]),
     (1, "install(FILES a.cpp DESTINATION ${CATKIN_PACAKGE_SHARE_DESTINATION})", ["LNT059"]),
     (1, "install(FILES a.cpp DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})", []),
     (1, "include_directories(include ${caktin_INCLUDE_DIRS})", ["LNT059"]),

@@ -124,6 +124,7 @@ ROWS = [
     ),
     ("launched from source", "LNT055", 1, files_of.from_source("nodelet"), files_of.from_source("other"), "info"),
     ("spelled otherwise", "LNT055", 1, files_of.misspelled("other"), files_of.misspelled("micro_arm_agent"), None),
+    ("letters of another package", "LNT055", 2, files_of.turned("rclcpp"), files_of.turned("rclpy"), "info"),
     ("given to a port", "LNT006", 1, files_of.given_to_port("goal_pose"), files_of.given_to_port("start"), None),
     ("a folder of modules", "LNT011", 1, sources_of.in_folder("arms"), sources_of.in_folder("legs"), None),
     (

@@ -17,6 +17,8 @@ ALIAS: Final = "alias"
 """Type of a class that only stands for another one."""
 LAUNCHED: Final = "launched"
 """Facet of the name of a node that a launch file gives."""
+SENT: Final = "sent"
+"""Facet of a frame of which a program tells where it is."""
 ABOVE: Final = "above"
 """Facet of a name that is none itself: names of its owner lie below it."""
 Key = tuple[str, str, str, str, str]

@@ -19,7 +19,7 @@ class RoleKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
         peer: role on the other side.
         channel: what it is joined to in the graph; None for parameters.
         value: whether it is a value that its node keeps, with a type and default of its own.
-        transform: whether what it carries are transforms between frames.
+        transform: whether what it carries are transforms between frames. places: kind of name whose place it tells.
         sends: whether data, or a request, goes from the module to the channel.
         use: what it requires of others. joins: what it requires of others of one launch.
         verb: what it does with its type there. does: what it does with the name.
@@ -38,6 +38,7 @@ class RoleKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     channel: str | None = None
     value: bool = False
     transform: bool = False
+    places: str = ""
     sends: bool = False
     use: str = ""
     joins: str = ""

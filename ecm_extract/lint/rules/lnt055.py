@@ -31,24 +31,29 @@ _VENDOR: Final = re.compile(r"(?:lib)?(?:ignition|gz|sdformat|gazebo)(?:-[a-z]+)
 _MANIFEST: Final = "package.xml"
 _LAUNCHING: Final = ("starts", "includes_launch")
 """Uses by which launch files name packages."""
+_TAKING_IN: Final = ("imports", "includes")
+_TOP: Final = re.compile(r"[./]")
 
 
 def tell(known: Known) -> Iterator[Finding]:
     """Report each name once for a package; what holds under a condition only is left alone."""
     own, launched = frozenset(known.packages.by_name), _launched(known)
-    found, first = _by_build(known), dict[tuple[str, str], Asked]()
+    found, coded, first = _by_build(known), _coded(known), dict[tuple[str, str], Asked]()
     for asked in known.asked("depends"):
         if asked.path.endswith(_MANIFEST):
             first.setdefault((asked.consumer.name, asked.requirement.name), asked)
     for (package, name), asked in first.items():
         if name in own or asked.requirement.conditions or _VENDOR.fullmatch(name) is not None:
             continue
-        used = launched.get(package, frozenset()) - known.needed_by(package)
+        needed = known.needed_by(package)
+        used = launched.get(package, frozenset()) - needed
         meant = next((each for each in sorted(used) if _spelled(each) == _spelled(name)), None)
         if meant is not None and known_packages().get(name) is None:
             yield _misspelled(asked, meant)
         elif name not in known.elsewhere:
-            yield from _of(asked, _Wanting(found.get(package, frozenset()), launched.get(package, frozenset())), own)
+            empty: frozenset[str] = frozenset()
+            written = coded.get(package, empty) - needed
+            yield from _of(asked, _Wanting(found.get(package, empty), launched.get(package, empty), written), own)
 
 
 def _launched(known: Known) -> dict[str, frozenset[str]]:
@@ -58,6 +63,17 @@ def _launched(known: Known) -> dict[str, frozenset[str]]:
         for asked in known.asked(use):
             if asked.requirement.package:
                 found.setdefault(asked.consumer.name, set()).add(asked.requirement.package)
+    return {package: frozenset(names) for package, names in found.items()}
+
+
+def _coded(known: Known) -> dict[str, frozenset[str]]:
+    """Released packages whose modules or headers the code of each package takes in."""
+    found: dict[str, set[str]] = {}
+    for use in _TAKING_IN:
+        for asked in known.asked(use):
+            top = _TOP.split(asked.requirement.name)[0]
+            if known_packages().get(top) is not None:
+                found.setdefault(asked.consumer.name, set()).add(top)
     return {package: frozenset(names) for package, names in found.items()}
 
 
@@ -82,10 +98,11 @@ def _by_build(known: Known) -> dict[str, frozenset[str]]:
 
 
 class _Wanting(NamedTuple):
-    """Names of packages that the build of one looks for, and that its launch files use."""
+    """Names of packages that the build of one looks for, and that its launch files and undeclared its code use."""
 
     found: frozenset[str]
     launched: frozenset[str]
+    coded: frozenset[str]
 
 
 def _of(asked: Asked, wanting: _Wanting, own: frozenset[str]) -> Iterator[Finding]:
@@ -102,7 +119,7 @@ def _of(asked: Asked, wanting: _Wanting, own: frozenset[str]) -> Iterator[Findin
             level = "info"  # what is released for ROS 2 now may have been there before, unreleased
         text = f"{package.name} asks for {name}, which was released for ROS {where} only"
     else:
-        near = _meant(name, wanting.found, own - {package.name})
+        near = _meant(name, wanting, own - {package.name})
         text = f"{package.name} asks for {name}, which no distribution and no key of rosdep has"
         text += f"; {near.words} {near.name}" if near else ""
         level = "error" if near else "info"
@@ -122,12 +139,16 @@ class _Meant(NamedTuple):
     words: str
 
 
-def _meant(name: str, found: frozenset[str], own: frozenset[str]) -> _Meant | None:
+def _meant(name: str, wanting: _Wanting, own: frozenset[str]) -> _Meant | None:
     """The name that was meant.
 
     Only what the build of the package finds, or the workspace holds, is meant: among ten thousand names of released
-    packages some are alike by chance.
+    packages some are alike by chance. A short one is where its code takes in the one with the very same letters.
     """
+    found = wanting.found
+    turned = next((other for other in sorted(wanting.coded) if sorted(other) == sorted(name)), None)
+    if turned is not None and name not in found:
+        return _Meant(turned, "its code uses")
     if len(name) < _LONG or name in found:
         return None
     for names, words in ((found & known_packages().keys(), "its CMakeLists.txt finds"), (own, "the workspace has")):
