@@ -126,7 +126,9 @@ class Flow:
         run: Run | None = None
         try:
             with self.folder.faults.of(env.func), steps.within(env.func):
-                run = Interpreter(env.entry(State()), self, whole and not steps.is_spent(env.func)).result()
+                run = Interpreter(
+                    env.entry(self.folder.begun_objects.state(env)), self, whole and not steps.is_spent(env.func)
+                ).result()
                 steps.count(env.func, run.steps)
         finally:
             del self._running[key]

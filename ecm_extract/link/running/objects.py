@@ -26,6 +26,7 @@ from ecm_extract.link.running.base_calls import base_call
 from ecm_extract.link.running.early_binding import early_bound
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
+from ecm_extract.link.running.makers import makers_of
 from ecm_extract.link.running.named_classes import class_asked
 from ecm_extract.link.running.pair_types import type_in_pair
 from ecm_extract.link.running.scope import Scope
@@ -244,7 +245,7 @@ class Objects:
             makers = [made.maker]
         calls = [call for call in (base_call(func, parent) for func in makers) if call is not None]
         constructor = self.constructor(parent, calls[0]) if len(calls) == 1 else None
-        if constructor is None:
+        if constructor is None or constructor.is_implied:
             return Instance(parent, {}, types)
         env = Env(calls[0].func, args=made.args, this=whole.cls, made=whole)
         return Instance(parent, bind(constructor, calls[0], env.before(calls[0].at)), types, constructor)
@@ -275,8 +276,7 @@ class Objects:
 
     def constructor(self, cls: Cls, call: Invocation) -> Func | None:
         """Return the constructor that takes the arguments of a call best; a class without any has that of its base."""
-        lineage = ([each for each in owner.methods if each.is_constructor] for owner in self.program.ancestry(cls))
-        makers = [func for func in next(filter(None, lineage), ()) if "deleted" not in func.fact.traits]
+        makers = makers_of(cls, self.program)
         if len(makers) < 2:
             return makers[0] if makers else None
         count = len(call.args)
@@ -339,12 +339,12 @@ class Objects:
     def methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
         """Return the methods of an object's class, or else of its nearest base, that fit a call."""
         owners, name = self.program.ancestry(cls) if cls is not None else (), call.last
-        found = (fitting(call, [func for func in owner.methods if func.fact.name == name]) for owner in owners)
+        found = (fitting(call, [func for func in owner.called if func.fact.name == name]) for owner in owners)
         return next((funcs for funcs in found if funcs), ())
 
     def _free(self, call: Invocation, env: Env) -> Sequence[Func]:
         """The functions outside of classes, or methods named with their class, that a call can mean."""
         owner = self.program.class_named(call.path.rpartition("::")[0], call.func.file, env.scope)
         methods = self.program.ancestry(owner) if owner is not None else ()
-        named = [func for cls in methods for func in cls.methods if func.fact.name == call.last]
+        named = [func for cls in methods for func in cls.called if func.fact.name == call.last]
         return fitting(call, [*self.program.functions_named(call.path, call.func.file, env.scope), *named])

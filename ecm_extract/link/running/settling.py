@@ -6,6 +6,7 @@ from functools import partial
 
 from ecm_extract.link.code.units import File
 from ecm_extract.link.index.contexts import settle_contexts
+from ecm_extract.link.index.implied_makers import settle_implied_makers
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.index.wrapped import settle_wrapped
 from ecm_extract.link.running.bound_methods import settle_bound_methods
@@ -18,6 +19,7 @@ def settle(program: Program) -> None:
     """Read members of several classes, calls by pointers to methods, contexts, and what stands around functions."""
     for file in program.files:
         file.returned = partial(_returned, program, file)
+    settle_implied_makers(program)
     settle_members_of_bases(program)
     settle_bound_methods(Objects(program, Scope(program)))
     settle_contexts(program)
