@@ -99,8 +99,13 @@ def _given(statement: Statement, func: Func) -> Iterator[_Given]:
         target = pending.pop()
         if isinstance(target, Items):
             pending += map(unstarred, target.items)
-        elif isinstance(target, Member) and (target.base != THIS or is_of_class(func)):
+        elif isinstance(target, Member) and (target.base != THIS or _has_class(func)):
             yield _Given(_owner(target.base), target.name)
+
+
+def _has_class(func: Func) -> bool:
+    """Whether a method has a class in the place of an object."""
+    return is_of_class(func) or func.fact.name == "__init_subclass__"
 
 
 def _begins(statement: Statement, func: Func) -> bool:
@@ -114,7 +119,7 @@ def _begins(statement: Statement, func: Func) -> bool:
 
 def _set_by(call: Call, func: Func) -> Iterator[_Given]:
     """Yield the attribute that `setattr` gives something else than the object at hand."""
-    if last_of(call.callee) in _SETTERS and call.args and (call.args[0] != THIS or is_of_class(func)):
+    if last_of(call.callee) in _SETTERS and call.args and (call.args[0] != THIS or _has_class(func)):
         named = call.args[1] if len(call.args) > 1 else None
         yield _Given(_owner(call.args[0]), named.value if isinstance(named, Text) else _ANY)
 
