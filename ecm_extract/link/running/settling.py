@@ -10,6 +10,7 @@ from ecm_extract.link.index.implied_makers import settle_implied_makers
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.index.wrapped import settle_wrapped
 from ecm_extract.link.running.bound_methods import settle_bound_methods
+from ecm_extract.link.running.in_order import settle_order
 from ecm_extract.link.running.members_of_bases import settle_members_of_bases
 from ecm_extract.link.running.objects import Objects
 from ecm_extract.link.running.scope import Scope
@@ -24,6 +25,7 @@ def settle(program: Program) -> None:
     settle_bound_methods(Objects(program, Scope(program)))
     settle_contexts(program)
     settle_wrapped(program)
+    settle_order(program)
 
 
 def _returned(program: Program, file: File, name: str, scope: str) -> frozenset[str]:
