@@ -43,10 +43,10 @@ def _has_plain_elements(listed: Expr, state: State | None, key: _Key, depth: int
     if depth >= MAX_NESTED:
         return False
     if isinstance(listed, Name | Member):
-        return _is_held(listed, state, key, lambda *held: _has_plain_elements(*held, key, depth + 1))
+        return _is_held(listed, state, key, lambda held, then: _has_plain_elements(held, then, key, depth + 1))
     if not isinstance(listed, Call) or listed.keywords:
         return False
-    if listed.callee in map(Name, _COPIES) and len(listed.args) == 1:
+    if isinstance(listed.callee, Name) and listed.callee.id in _COPIES and len(listed.args) == 1:
         return _has_plain_elements(listed.args[0], state, key, depth + 1)
     of_table = isinstance(listed.callee, Member) and listed.callee.name == _KEYS and not listed.args
     return of_table and isinstance(listed.callee, Member) and _has_plain_keys(listed.callee.base, state, key)

@@ -50,10 +50,12 @@ class ClassAttributes:
 
     def may_change(self, name: str, cls: Cls, owner: Cls) -> bool:
         """Tell whether somebody may give a class, or the base that it has an attribute of, something else there."""
+        lineage = self.program.ancestry(cls)
+        if "remade" in owner.fact.traits:
+            return True
         changed = {*self._changed.get(name, ()), *self._changed.get(_ANY, ())}
         if not changed:
             return False
-        lineage = self.program.ancestry(cls)
         named = {each.fact.name for each in lineage[: lineage.index(owner) + 1]}
         return not changed.isdisjoint(named | _OF_CLASS) or not self._values.isdisjoint(named)
 

@@ -208,7 +208,8 @@ class Flow:
         if not any(found):
             if key in self.outline(env.func).escaped and "." in key[1:]:
                 return [(Held("lost", key),)]  # a function within may give the field something any time
-            return [] if any(state.called for state in states) else self._entered(key, env)
+            changed = any(state.called for state in states) or (key.startswith(".") and not self.is_followed(key, env))
+            return [] if changed else self._entered(key, env)
         shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
         known = [ways or (Held("shared" if shared else "given", key),) for ways in found]
         return self.folder.unset.without(known, env.func)
