@@ -230,8 +230,8 @@ class Assigning:
     def _unpack(self, target: Items, held: Held, state: State) -> State:
         """`a, b = value`: each gets its part, all of them at once."""
         value = _of_maker(held.expr, self.frame.python)
-        for item, part in handed_out(target, held, value):
-            state = self.bind(item, part, state)
+        for each in handed_out(target, held, value):
+            state = self.bind(each.target, each.held, state)
         return state
 
     def escape(self, statement: Statement) -> Set[str]:

@@ -6,11 +6,14 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from typing import Final, NamedTuple
 
+from ecm_parsers.source.expr import Expr
+
 from ecm_extract.infer.bare_names import shared_names
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.layers import Written
 from ecm_extract.infer.places import around
+from ecm_extract.infer.plain_elements import without_plain
 
 
 class _Content(NamedTuple):
@@ -179,13 +182,20 @@ class Consisting:
         if held.expr is None and held.more is None and not open_:
             return _merged(earlier)
         body = held.env.func.fact.body if held.env is not None else ()
-        named = (each for expr in (held.expr, held.more) for each in shared_names(expr, body))
+        named = (each for expr in self._changeable(held) for each in shared_names(expr, body))
         found = set(map(self.effects.key, named)) - {""}
         keys = frozenset(key for key in found if not self.effects.is_of_library(key))
         there = held.env.state.holds if held.env is not None and held.env.state is not None else {}
         elsewhere = {key: frozenset(there[key]) for key in keys if key in there}
         own = _Content(keys, elsewhere, frozenset(open_)) if keys or open_ else _NOTHING
         return _merged([own, *earlier])
+
+    def _changeable(self, held: Held) -> Iterator[Expr | None]:
+        """What a thing is made of, without texts and numbers of Python out of lists, which leave those alone."""
+        state = held.env.state if held.env is not None else None
+        own = held.env is not None and held.env.func is self.effects.func and self.effects.python
+        for expr in (held.expr, held.more):
+            yield without_plain(expr, state, self.effects.key) if own and expr is not None else expr
 
 
 def _merged(contents: Iterable[_Content]) -> _Content:

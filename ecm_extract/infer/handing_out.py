@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from ecm_parsers.source.expr import Expr, Items
 
@@ -10,12 +11,20 @@ from ecm_extract.infer.held import Held
 from ecm_extract.infer.unpacking import taken, unstarred
 
 
-def handed_out(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr, Held]]:
+class HandedOut(NamedTuple):
+    """A variable and what it holds of the value."""
+
+    target: Expr
+    held: Held
+
+
+def handed_out(target: Items, held: Held, value: Expr | None) -> Iterator[HandedOut]:
     """Yield each variable of several with what it gets."""
     if held.how == "value" and value is not None:
         for each in taken(target.items, value):
-            yield each.target, Held("value", "", each.part, held.env, held.at)
+            yield HandedOut(each.target, Held("value", "", each.part, held.env, held.at))
         return
     inner = held.how in {"each", "part"}
     for item in target.items:
-        yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
+        part = Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
+        yield HandedOut(unstarred(item), part)

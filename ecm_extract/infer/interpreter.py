@@ -58,7 +58,8 @@ class Interpreter:
     def result(self) -> Run:
         """Run the function from its beginning."""
         run = self.frame.run
-        end = self.run(self.frame.outline.block, self.memory.lost(State(), self.frame.outline.jumped))
+        begun = self.frame.env.state or State()
+        end = self.run(self.frame.outline.block, self.memory.lost(begun, self.frame.outline.jumped))
         run.end, run.steps = joined_states([*self.exits.left, end]), self.frame.steps
         self.memory.sharing.consisting.forget()
         return run

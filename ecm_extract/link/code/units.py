@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from math import inf
+from typing import Final
 
 from ecm_parsers.source.expr import Call, Expr, Name, Table
 from ecm_parsers.source.facts import Class, Field, Function, Parameter, SourceFile, Statement
@@ -13,6 +14,9 @@ from ecm_extract.link.code.callables import Callables, held_callables, seen_call
 from ecm_extract.link.code.spelling import is_node_interface
 from ecm_extract.link.code.templates import alike, unified
 from ecm_extract.link.code.walk import calls_in
+
+IMPLIED: Final = "implied"
+"""Trait of a constructor that a class of Python does without: it gives objects what their class has."""
 
 
 def _nothing(name: str, scope: str) -> Set[str]:
@@ -198,6 +202,11 @@ class Func:
         return f"{self.fact.scope}::{self.fact.name}" if self.fact.scope else self.fact.name
 
     @property
+    def is_implied(self) -> bool:
+        """Whether it is a constructor that its class does without, which no call of a base means."""
+        return IMPLIED in self.fact.traits
+
+    @property
     def is_constructor(self) -> bool:
         """Whether calling it makes an object of its class."""
         return self.cls is not None and self.fact.name in {self.cls.fact.name, "__init__"}
@@ -221,6 +230,11 @@ class Cls:
     def qualified(self) -> str:
         """Name with its namespaces."""
         return f"{self.fact.scope}::{self.fact.name}" if self.fact.scope else self.fact.name
+
+    @property
+    def called(self) -> list[Func]:
+        """The methods that calls can mean; an implied constructor is none that is called by its name."""
+        return [func for func in self.methods if not func.is_implied]
 
     @property
     def constructors(self) -> list[Func]:

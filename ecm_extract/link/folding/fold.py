@@ -60,6 +60,7 @@ from ecm_extract.link.folding.steps import Steps, is_left_out
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.folding.typed_numbers import TypedNumbers
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.begun_objects import BegunObjects
 from ecm_extract.link.running.changed_meanwhile import ChangedMeanwhile
 from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.env import MAX_DEPTH, Env
@@ -173,6 +174,7 @@ class Folder:
         """Make those who know what runs of functions leave variables with."""
         self.nesting = self.scope.nesting
         self.flow = Flow(self)
+        self.begun_objects = BegunObjects(self)
         self.excluded = Excluded(self)
         self.unset = UnsetVariables(self)
         self.states = ObjectStates(self)

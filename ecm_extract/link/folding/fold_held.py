@@ -19,6 +19,7 @@ from ecm_extract.link.folding.begun_fields import begun_field
 from ecm_extract.link.folding.declared_numbers import as_declared
 from ecm_extract.link.folding.fold_changes import STREAMS, ChangeFolder
 from ecm_extract.link.folding.reached_elements import reached
+from ecm_extract.link.folding.same_objects import is_as_made
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
 from ecm_extract.link.running.own_names import node_name
 from ecm_extract.link.running.values import (
@@ -161,12 +162,17 @@ class HeldFolder:
             found = self.folder.members.member_value(name, owner, entry)
             return found or self.folder.names.around(name, entry) or (unknown(name),)
         is_python = entry.func.file.language == "python" and not key.startswith(".")
-        found = self.folder.names.imported(key, entry) if is_python else self._as_begun(as_written(key), env)
-        return found or (unknown(name),)
+        found = self.folder.names.imported(key, entry) if is_python else ()
+        return found or self._as_begun(as_written(key), env) or (unknown(name),)
 
     def _as_begun(self, expr: Expr, env: Env) -> tuple[Value, ...]:
-        """What a field of C++ is that the function has not given anything yet: what its object is made from says it."""
-        if env.func.file.language != "cpp" or not isinstance(expr, Member):
+        """What a field is that the function has not given anything yet: what its object is made from says it.
+
+        Of Python that is an object that the function made, and only its own statements and methods have changed.
+        """
+        if not isinstance(expr, Member):
+            return ()
+        if env.func.file.language == "python" and not is_as_made(expr.base, env, self.folder):
             return ()
         return self.folder.structures.field(expr, env) or begun_field(expr, env, self.folder)
 

@@ -202,7 +202,8 @@ class MemberFolder:
                     values += self.folder.parameters.parameter_value(read.name, read.default, place)
         making = [place.func for held, place in sources if _makes(held)]
         if not any(func.is_constructor for func in making) or self._is_left_alone(cls, making, env):
-            values += [each for each in self.initial(name, cls, env) if not making or _may_stay(each)]
+            kept = not making or cls.file.language == "python"
+            values += [each for each in self.initial(name, cls, env) if kept or _may_stay(each)]
         others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
         others = others or list(self.initial(name, cls, env))
         filled = [value for value in others or values if value.text]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.facts import Constant, Function
@@ -36,6 +36,9 @@ from ecm_extract.shipped import shipped
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
     from ecm_extract.link.folding.fold_tables import Entry
+
+_OF_CLASSES: Final = "__init_subclass__"
+"""Gets what the heads of classes say, which is not read."""
 
 
 @cache
@@ -138,6 +141,8 @@ class NameFolder:
         bound = self.argument(name, env)
         if bound is not None:
             return demoted(self.folder.fold(bound.expr, bound.env.before(bound.env.at)))
+        if env.func.fact.name == _OF_CLASSES:
+            return (unknown(name),)
         default = next((entry.default for entry in env.func.fact.params if entry.name == name), None)
         if default is not None and (env.args or self._is_left_out(name, env)):
             return lowered(self.folder.fold(default, env.before(0)), "default")

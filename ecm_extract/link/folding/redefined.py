@@ -10,6 +10,7 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.running.class_lines import behind, nearest
 from ecm_extract.link.running.early_binding import is_virtual
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.known_callers import Calling
@@ -44,11 +45,21 @@ class Redefined:
         if self.is_replaced(callee) or (own and self._is_earlier(callee, env)):
             return unknown(name)
         if not own:
-            return unknown(name) if self._is_of_derived(callee, call, env) else None
+            others = self._is_between(callee, call, env) or self._is_of_derived(callee, call, env)
+            return unknown(name) if others else None
         if cls is None or self._binds_early(callee, env):
             return None
         concrete = env.made is not None and env.made.is_one
         return parameter(name, made=True) if not concrete and name in self._names_below(cls) else None
+
+    def _is_between(self, callee: Func, call: Invocation, env: Env) -> bool:
+        """Whether `super()` may mean another class, of an object of a derived one that has several bases."""
+        own, exact = env.func.cls, env.made is not None and env.made.is_one
+        if own is None or exact or not is_super(call.receiver) or callee.file.language != "python":
+            return False
+        program = self.folder.program
+        several = (each for each in program.derived(env.this or own) if len(each.fact.bases) > 1)
+        return any(callee not in nearest(call, behind(own, each, program)) for each in several)
 
     def _is_of_derived(self, callee: Func, call: Invocation, env: Env) -> bool:
         """Whether another object, of which only the class is known, may be of a derived one with its own method."""

@@ -12,7 +12,6 @@ from ecm_extract.infer.places import as_written
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.containers import PAIR, makes_tuple
 from ecm_extract.link.code.member_paths import lies_deep
-from ecm_extract.link.code.overloads import best, scored
 from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
@@ -22,6 +21,7 @@ from ecm_extract.link.folding.same_objects import by_variable, is_as_made, left_
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
+from ecm_extract.link.running.makers import best_makers
 from ecm_extract.link.running.values import Value, alternatives, demoted, parameter, unknown
 
 if TYPE_CHECKING:
@@ -96,11 +96,12 @@ class StructureFolder:
         bound = self._origin(expr, env)
         call = bound.expr if bound is not None else None
         cls = self._class_made(call, expr, bound.env, env) if bound and isinstance(call, Items | Call) else None
-        if bound is None or not isinstance(call, Items | Call) or cls is None or not cls.constructors:
+        if bound is None or not isinstance(call, Items | Call) or cls is None:
             return []
         made = construction_of(cls, call, bound.env)
-        makers = ((maker, bind(maker, made, bound.env)) for maker in best(made, scored(made, cls.constructors)))
-        return [Env(maker, this=cls, made=Instance(cls, args, {}, maker)) for maker, args in makers]
+        makers = best_makers(cls, made, self.folder.program)
+        given = ((maker, bind(maker, made, bound.env)) for maker in makers)
+        return [Env(maker, this=cls, made=Instance(cls, args, {}, maker)) for maker, args in given]
 
     def _class_made(self, made: Items | Call, base: Expr, place: Env, env: Env) -> Cls | None:
         if isinstance(made, Items):
@@ -311,7 +312,7 @@ class StructureFolder:
             return None
         cls = self._class_made(whole.expr, expr.base, whole.env, env)
         made = construction_of(cls, whole.expr, whole.env) if cls is not None else None
-        makers = best(made, scored(made, cls.constructors)) if cls is not None and made is not None else []
+        makers = best_makers(cls, made, self.folder.program) if cls is not None and made is not None else []
         if cls is None or made is None or len(makers) != 1:
             return None
         args = bind(makers[0], made, whole.env)

@@ -126,7 +126,8 @@ class Flow:
         run: Run | None = None
         try:
             with self.folder.faults.of(env.func), steps.within(env.func):
-                run = Interpreter(env.entry(State()), self, whole and not steps.is_spent(env.func)).result()
+                begun = env.entry(self.folder.begun_objects.state(env))
+                run = Interpreter(begun, self, whole and not steps.is_spent(env.func)).result()
                 steps.count(env.func, run.steps)
         finally:
             del self._running[key]
@@ -137,8 +138,7 @@ class Flow:
         if key in self._running or env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING:
             return False
         self._within += 1
-        again = sum(func is env.func for func in self._running.values())
-        return self._within <= MAX_WITHIN and again < MAX_RECURSION
+        return self._within <= MAX_WITHIN and list(self._running.values()).count(env.func) < MAX_RECURSION
 
     def states(self, env: Env) -> Sequence[State]:
         """Return the states in which a place is reached; none where nothing is known of it."""
@@ -206,17 +206,17 @@ class Flow:
         if not any(found):
             if key in self.outline(env.func).escaped and "." in key[1:]:
                 return [(Held("lost", key),)]  # a function within may give the field something any time
-            return [] if any(state.called for state in states) else self._entered(key, env)
+            changed = any(state.called for state in states) or (key.startswith(".") and not self.is_followed(key, env))
+            return [] if changed else self._entered(key, env)
         shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
         known = [ways or (Held("shared" if shared else "given", key),) for ways in found]
         return self.folder.unset.without(known, env.func)
 
     def _may_differ(self, key: str, env: Env) -> bool:
         """Whether a function, or a method that it calls on the same object, may give a variable something else."""
-        if key in self.outline(env.func).changes:
-            return True
-        if "." in key and key.partition(".")[0] in self.outline(env.func).changes:
-            return True  # a field of an object that the function has: methods and other names of it may change that
+        changes = self.outline(env.func).changes
+        if key in changes or key.partition(".")[0] in changes:
+            return True  # of an object that the function has, methods and other names of it may change a field
         return key.startswith(".") and self.folder.methods.calls_own(env.func)
 
     def _entered(self, key: str, env: Env) -> list[tuple[Held, ...]]:

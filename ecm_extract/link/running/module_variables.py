@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ecm_extract.link.code.units import File, Func
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.named_globals import NamedGlobals
 from ecm_extract.link.running.values import Value, alternatives, circular, is_circle, setting, unknown
 
 if TYPE_CHECKING:
@@ -23,6 +24,7 @@ class ModuleVariables:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.named = NamedGlobals(folder)
         self._known: dict[Hashable, tuple[Value, ...]] = {}
 
     def forget(self) -> None:
@@ -32,9 +34,10 @@ class ModuleVariables:
     def changers(self, name: str, file: File) -> list[Func]:
         """Return the functions of a module that may change a variable of it: they assign it, or call a method of it.
 
-        So do those that keep it by another name, by which somebody changes it.
+        So do those that keep it by another name, by which somebody changes it, and who changes it by a text.
         """
         kept = {each.func for each in self.folder.kept_parts.of(name) if each.key == name}
+        kept |= {*self.named.writers(name, file)}
         return [func for func in self.folder.program.functions_in(file) if func in kept or self._changes(func, name)]
 
     def _changes(self, func: Func, name: str) -> bool:
@@ -56,9 +59,9 @@ class ModuleVariables:
         return alternatives([*first, *(value for value in known if not is_circle(value))]) if known else first
 
     def _all(self, name: str, file: File, fixed: bool) -> tuple[Value, ...]:
-        giving = (
-            func for func in self.changers(name, file) if not fixed or name in self.folder.flow.outline(func).given
-        )
+        named, given = self.named.writers(name, file), self.folder.flow.outline
+        every = self.changers(name, file)
+        giving = (func for func in every if not fixed or func in named or name in given(func).given)
         return tuple([value for func in giving for value in self._by(func, name)])
 
     def _by(self, func: Func, name: str) -> Iterator[Value]:

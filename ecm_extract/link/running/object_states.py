@@ -121,7 +121,7 @@ class ObjectStates:
     def _left(self, key: str, caller: Bound, env: Env) -> Held | None:
         """What a member of an object holds at a call on it."""
         place = caller.env
-        part = None if is_own(caller.expr) else self.folder.parts.maker(caller.expr, place)
+        part = None if is_own(caller.expr) else self._made_at(caller.expr, place)
         if part is not None:
             made = self._as_made(key, part)
             return made[0] if made else None
@@ -161,9 +161,7 @@ class ObjectStates:
 
     def instance(self, receiver: Expr, env: Env) -> Instance | None:
         """Return how an object is made: where it is asked, for a variable of the function, or as a part of others."""
-        place = self.folder.parts.maker(receiver, env)
-        if place is None and isinstance(receiver, Call):
-            place = self.constructor(receiver, env)
+        place = self._made_at(receiver, env)
         if place is not None:
             return place.made
         key = self.folder.flow.effects(env.func).key(receiver)
@@ -171,6 +169,11 @@ class ObjectStates:
         known = [entry.made for entry in made if entry is not None and entry.made is not None]
         alike = bool(known) and len(known) == len(made) and all(_may_be(known[0], other) for other in known)
         return known[0] if alike else None
+
+    def _made_at(self, expr: Expr, env: Env) -> Env | None:
+        """The beginning of the constructor that makes a part of an object, or one where it is asked."""
+        place = self.folder.parts.maker(expr, env)
+        return self.constructor(expr, env) if place is None and isinstance(expr, Call) else place
 
     def _maker(self, key: str, state: State, env: Env) -> Env | None:
         """The beginning of the constructor that made the object in a local variable which nobody else has."""

@@ -23,9 +23,11 @@ from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.base_calls import base_call
+from ecm_extract.link.running.class_lines import behind, nearest
 from ecm_extract.link.running.early_binding import early_bound
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
+from ecm_extract.link.running.makers import makers_of
 from ecm_extract.link.running.named_classes import class_asked
 from ecm_extract.link.running.pair_types import type_in_pair
 from ecm_extract.link.running.scope import Scope
@@ -244,7 +246,7 @@ class Objects:
             makers = [made.maker]
         calls = [call for call in (base_call(func, parent) for func in makers) if call is not None]
         constructor = self.constructor(parent, calls[0]) if len(calls) == 1 else None
-        if constructor is None:
+        if constructor is None or constructor.is_implied:
             return Instance(parent, {}, types)
         env = Env(calls[0].func, args=made.args, this=whole.cls, made=whole)
         return Instance(parent, bind(constructor, calls[0], env.before(calls[0].at)), types, constructor)
@@ -275,8 +277,7 @@ class Objects:
 
     def constructor(self, cls: Cls, call: Invocation) -> Func | None:
         """Return the constructor that takes the arguments of a call best; a class without any has that of its base."""
-        lineage = ([each for each in owner.methods if each.is_constructor] for owner in self.program.ancestry(cls))
-        makers = [func for func in next(filter(None, lineage), ()) if "deleted" not in func.fact.traits]
+        makers = makers_of(cls, self.program)
         if len(makers) < 2:
             return makers[0] if makers else None
         count = len(call.args)
@@ -311,17 +312,17 @@ class Objects:
     def _looked_up(self, call: Invocation, env: Env) -> Sequence[Func]:
         own = env.func.cls or env.this
         if is_super(call.receiver) and own is not None:
-            return self._methods_of_base(call, own)
+            return self._methods_of_base(call, own, env.this or own)
         named = class_asked(call, self.program)
         if call.receiver is not None:
             return self.methods(call, named or self.class_of(call.receiver, env.before(env.at)))
         return self.methods(call, named or self._class_at_hand(call, env)) or self._free(call, env)
 
-    def _methods_of_base(self, call: Invocation, own: Cls) -> Sequence[Func]:
-        """`super().name()` means that of the first base, `Base.name(self)` that of the named one."""
+    def _methods_of_base(self, call: Invocation, own: Cls, this: Cls) -> Sequence[Func]:
+        """`super().name()` means that of the next class of the object, `Base.name(self)` that of the named one."""
         written = call.receiver.args[0] if isinstance(call.receiver, Call) and call.receiver.args else None
         if not isinstance(written, Text):
-            return self.methods(call, next(iter(self.program.bases(own)), None))
+            return nearest(call, behind(own, this, self.program))
         named = self.program.class_named(plain(written.value), call.func.file, call.func.scope)
         found = self.methods(call, named)
         return [func for func in found if "static" not in func.fact.traits]  # that is given the object in its place
@@ -338,13 +339,11 @@ class Objects:
 
     def methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
         """Return the methods of an object's class, or else of its nearest base, that fit a call."""
-        owners, name = self.program.ancestry(cls) if cls is not None else (), call.last
-        found = (fitting(call, [func for func in owner.methods if func.fact.name == name]) for owner in owners)
-        return next((funcs for funcs in found if funcs), ())
+        return nearest(call, self.program.ancestry(cls)) if cls is not None else ()
 
     def _free(self, call: Invocation, env: Env) -> Sequence[Func]:
         """The functions outside of classes, or methods named with their class, that a call can mean."""
         owner = self.program.class_named(call.path.rpartition("::")[0], call.func.file, env.scope)
         methods = self.program.ancestry(owner) if owner is not None else ()
-        named = [func for cls in methods for func in cls.methods if func.fact.name == call.last]
+        named = [func for cls in methods for func in cls.called if func.fact.name == call.last]
         return fitting(call, [*self.program.functions_named(call.path, call.func.file, env.scope), *named])

@@ -6,9 +6,11 @@ from functools import partial
 
 from ecm_extract.link.code.units import File
 from ecm_extract.link.index.contexts import settle_contexts
+from ecm_extract.link.index.implied_makers import settle_implied_makers
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.index.wrapped import settle_wrapped
 from ecm_extract.link.running.bound_methods import settle_bound_methods
+from ecm_extract.link.running.in_order import settle_order
 from ecm_extract.link.running.members_of_bases import settle_members_of_bases
 from ecm_extract.link.running.objects import Objects
 from ecm_extract.link.running.scope import Scope
@@ -18,10 +20,12 @@ def settle(program: Program) -> None:
     """Read members of several classes, calls by pointers to methods, contexts, and what stands around functions."""
     for file in program.files:
         file.returned = partial(_returned, program, file)
+    settle_implied_makers(program)
     settle_members_of_bases(program)
     settle_bound_methods(Objects(program, Scope(program)))
     settle_contexts(program)
     settle_wrapped(program)
+    settle_order(program)
 
 
 def _returned(program: Program, file: File, name: str, scope: str) -> frozenset[str]:

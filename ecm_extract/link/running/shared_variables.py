@@ -39,8 +39,15 @@ class SharedVariables:
         if known is None:
             name = stated.constant.name
             changed = any(self._changes(func, stated) for func in self._by_name().get(name, ()))
-            known = self._known[stated] = changed or self._is_kept(stated)
+            known = self._known[stated] = changed or self._is_kept(stated) or self._is_of_class(stated)
         return known
+
+    def _is_of_class(self, stated: Stated) -> bool:
+        """Whether somebody changes an attribute of that name of a class, which he may have by another name."""
+        name, scope = stated.constant.name, stated.constant.scope
+        of_file = self.folder.program.classes_in(stated.file) if scope else ()
+        owner = next((each for each in of_file if each.qualified == scope), None)
+        return owner is not None and self.folder.begun_objects.attributes.may_change(name, owner, owner)
 
     def _is_kept(self, stated: Stated) -> bool:
         """Whether somebody keeps a list, a table or an object by another name, by which it is changed."""

@@ -53,7 +53,14 @@ class Shifting:
         changes = self._changed(name, cls)
         if len(changes) > 1 or self.folder.python_fields.any_is_given(cls):
             return True
+        if changes and self._is_begun(name, cls):
+            return True
         return any(not self._is_first(f".{name}", method, at) for method, at in changes)
+
+    def _is_begun(self, name: str, cls: Cls) -> bool:
+        """Whether objects of Python have a member by their class before any method gives it something."""
+        lineage = self.folder.program.ancestry(cls) if cls.file.language == "python" else ()
+        return any(name in self.folder.begun_objects.attributes.of(each) for each in lineage)
 
     def _changed(self, name: str, cls: Cls) -> list[tuple[Func, int]]:
         """The statements that change a member, each with its method."""

@@ -18,7 +18,7 @@ from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave
 from ecm_parsers.source.python_class_body import class_attribute, given_before, named_by
 from ecm_parsers.source.python_contexts import entered
 from ecm_parsers.source.python_expr import salvage
-from ecm_parsers.source.python_fields import given_by, gives_field
+from ecm_parsers.source.python_fields import given_by, gives_field, of_any_class
 from ecm_parsers.source.python_literal import NULL, TRUE
 from ecm_parsers.source.python_named_tuples import made_class
 from ecm_parsers.source.python_partials import value_for
@@ -123,7 +123,7 @@ def _record(scan: Scan, node: Node, left: Expr, value: Expr | None, type_: str =
     if own:
         class_attribute(scan, node, Field(own, type_, node.start_point[0] + 1, value))
         return
-    scan.emit("let" if value is None else "set", node, value, left, type_)
+    scan.emit("let" if value is None else "set", node, value, of_any_class(left), type_)
     if frame.place == "module" and isinstance(left, Name) and value is not None:
         scan.constants.append(Constant(left.id, "", value, node.start_point[0] + 1, type_))
         made_class(scan, left.id, value, node.start_point[0] + 1)

@@ -90,6 +90,11 @@ def is_unchangeable(cls: Class, imports: Iterable[Import]) -> bool:
     return not table.fixed.isdisjoint(says) or (table.fixing, Constant("true")) in keywords
 
 
+def has_no_fields(base: str, imports: Iterable[Import]) -> bool:
+    """Tell whether a base of a class, as written, is one of the library that gives objects nothing of their own."""
+    return Imported.of(imports).full(base) in _table().plain
+
+
 def declared_fields(cls: Class, imports: Iterable[Import]) -> Sequence[DeclaredField] | None:
     """Return the fields of a class without bases, in their order; None of what is no data class of the library."""
     imported = Imported.of(imports)

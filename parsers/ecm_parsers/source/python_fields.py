@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Text
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op, Opaque, Text
 
 FIELDS: Final = "__dict__"
+_CLASS: Final = "__class__"
 _GIVES: Final = "__setattr__"
 _TAKES: Final = "__delattr__"
 _GIVING: Final = frozenset({"setattr", "delattr", _GIVES, _TAKES})
@@ -50,6 +51,13 @@ def field_of(base: Expr, index: Expr) -> Expr:
     if isinstance(base, Member) and base.name == FIELDS and isinstance(index, Text):
         return Member(base.base, index.value)
     return Op("[]", (base, index))
+
+
+def of_any_class(target: Expr) -> Expr:
+    """Return what is assigned to: an object of which the class is given has any fields, those of another class."""
+    if not isinstance(target, Member) or target.name != _CLASS:
+        return target
+    return Op("[]", (Member(target.base, FIELDS), Opaque(_CLASS)))
 
 
 def table_of(call: Call) -> Expr:
