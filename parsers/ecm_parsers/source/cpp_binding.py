@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_arrays import array_value, characters, extents
+from ecm_parsers.source.cpp_cast_objects import cast_class
 from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_invoking import perhaps_invoked
@@ -69,7 +70,8 @@ class Binding:
         array = array_value(self.expr, kind, bound, value) if value is not None else None
         read = array if array is not None else self._initial(kind, value)
         qualifier = _qualifier(self.expr, declaration)
-        written = qualifier + self.expr.type_text(kind) + _MARKS.get(bound.type, "") + extents(array_of)
+        named = cast_class(self.expr, kind, value) or self.expr.type_text(kind)
+        written = qualifier + named + _MARKS.get(bound.type, "") + extents(array_of)
         kept = not qualifier and _is_static(self.expr, declaration)
         self.writer.add("let", declarator, read, Name(name), written, kept)
 

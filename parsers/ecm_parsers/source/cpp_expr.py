@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from ecm_parsers.numbers import truncated
+from ecm_parsers.source.cpp_cast_objects import object_cast
 from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_invoking import gets_values, invoked, invoked_by_element
@@ -164,7 +165,7 @@ def _field(reader: ExprReader, node: Node) -> Expr:
     base, field = node.child_by_field_name("argument"), node.child_by_field_name("field")
     if base is None or field is None:
         return Opaque(reader.text(node)[:80])
-    return Member(reader.read(base), reader.name(field))
+    return Member(object_cast(reader, base), reader.name(field))
 
 
 def _call(reader: ExprReader, node: Node) -> Expr:
