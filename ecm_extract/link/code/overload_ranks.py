@@ -33,7 +33,10 @@ _TEXTS: Final = frozenset({"string", "string_view"})
 
 
 def not_outranked(call: Invocation, funcs: Sequence[Func]) -> Sequence[Func]:
-    """Return the functions that none of the same class or namespace is better than for a call of C++."""
+    """Return the functions that none of the same class, or of the others outside of classes, is better than for a call.
+
+    Only C++ has several: those of one scope, and what directives bring there ([namespace.udir]).
+    """
     if len(funcs) < 2 or call.func.file.language != "cpp" or not call.args:
         return funcs
     given = [_type_given(arg, call.func) for arg in call.args]
@@ -56,7 +59,7 @@ class _Taken(NamedTuple):
 
 
 def _is_better(one: Func, other: Func, taken: Mapping[Func, Sequence[_Taken]]) -> bool:
-    if one is other or one.cls is not other.cls or one.fact.scope != other.fact.scope:
+    if one is other or one.cls is not other.cls:
         return False
     better = False
     for left, right in zip(taken[one], taken[other], strict=False):
@@ -80,7 +83,7 @@ def _type_given(arg: Expr, caller: Func) -> str:
         return "bool"
     if isinstance(arg, Call):
         return _short(_returned(arg.callee, caller))
-    if not isinstance(arg, Name):
+    if not isinstance(arg, Name) or arg.id in caller.variously_typed:
         return ""
     member = caller.cls.fields.get(arg.id) if caller.cls is not None else None
     written = caller.written_types.get(arg.id, member.type if member is not None else "")

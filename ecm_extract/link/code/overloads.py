@@ -109,7 +109,12 @@ def _text_fit(last: str) -> int:
 def _variable_fit(name: str, wanted: str, caller: Func) -> int:
     member = caller.cls.fields.get(name) if caller.cls is not None else None
     declared = caller.written_types.get(name, member.type if member is not None else "")
-    if not declared or plain(declared) == "auto" or plain(declared) in caller.fact.template:
+    if (
+        not declared
+        or name in caller.variously_typed
+        or plain(declared) == "auto"
+        or plain(declared) in caller.fact.template
+    ):
         return 0
     last = wanted.rsplit("::", 1)[-1]
     is_text = declared.startswith("char[") and last != "char"

@@ -121,7 +121,8 @@ class Objects:
         holder = self.scope.holding(name, env.func) or env.func
         around = env if holder is env.func else Env(holder, this=env.this, depth=env.depth + 1)
         body, places = holder.fact.body, self.scope.locals_of(holder).get(name, ())
-        given = [at for at in places if at < around.at and body[at].value is not None]
+        seen = self.scope.declaration(name, holder, around) or 0
+        given = [at for at in places if seen <= at < around.at and body[at].value is not None]
         for at in reversed(given):
             value = body[at].value
             written = self.type_of(value, around.before(at)) if value is not None else ""

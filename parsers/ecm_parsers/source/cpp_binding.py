@@ -53,6 +53,7 @@ class Binding:
             return
         bound = declarator.child_by_field_name("declarator") or declarator
         target = self.bound(bound)
+        self.expr.brought.hide(each.id for each in _bound_names(target))
         if isinstance(target, Items):
             written = self.expr.type_text(kind) + _MARKS.get(bound.type, "")
             self.writer.add("let", declarator, self._initial(kind, value), target, written)
@@ -79,6 +80,7 @@ class Binding:
         """Read what a loop binds in each round, and return the index of that statement."""
         kind = loop.child_by_field_name("type")
         value = self.expr.read(over)
+        self.expr.brought.hide(each.id for each in _bound_names(self.bound(declarator)))
         mark = _MARKS.get(declarator.type, "")
         written = self._written(loop, kind, declarator) + mark if kind is not None else ""
         return self.writer.apart(loop, value, self.bound(declarator), written)
@@ -139,6 +141,12 @@ class Binding:
         """The call that makes an object of a type."""
         made = Call(Name(self.expr.name(kind)), args, (), self.expr.template_arguments(kind), line_of(kind))
         return self.expr.made(made)
+
+
+def _bound_names(target: Expr) -> tuple[Name, ...]:
+    """The variables that a declarator declares."""
+    items = target.items if isinstance(target, Items) else (target,)
+    return tuple([each for each in items if isinstance(each, Name)])
 
 
 def _is_own_object(value: Node, bound: Node) -> bool:
