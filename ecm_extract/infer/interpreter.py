@@ -58,7 +58,7 @@ class Interpreter:
     def result(self) -> Run:
         """Run the function from its beginning."""
         run = self.frame.run
-        end = self.run(self.frame.outline.block, self.memory.lost(State(), self.frame.outline.jumped))
+        end = self.run(self.frame.outline.block, self.memory.lost(State(), self.frame.outline.unfollowed))
         run.end, run.steps = joined_states([*self.exits.left, end]), self.frame.steps
         self.memory.sharing.consisting.forget()
         return run
@@ -135,7 +135,7 @@ class Interpreter:
         if isinstance(step, Later):
             return self._run_later(step, state)
         if isinstance(step, Leave) and step.how == "goto":
-            return state  # where it leads is not followed (see `Outline.jumped`)
+            return state  # where it leads is not followed (see `Outline.unfollowed`)
         if isinstance(step, Leave) and step.how == "throw":
             self.exits.thrown(state, step.raised)
         elif isinstance(step, Leave):

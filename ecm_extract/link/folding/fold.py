@@ -62,6 +62,7 @@ from ecm_extract.link.folding.typed_numbers import TypedNumbers
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.changed_meanwhile import ChangedMeanwhile
 from ecm_extract.link.running.changed_outside import ChangedOutside
+from ecm_extract.link.running.ending_objects import EndingObjects
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.excluded import Excluded
 from ecm_extract.link.running.faults import Faults
@@ -190,6 +191,7 @@ class Folder:
         self.lasting_states = LastingStates(self)
         self.lent = Lent(self)
         self.kept_references = KeptReferences(self)
+        self.ending = EndingObjects(self)
         self.kept_parts = KeptParts(self)
         self.python_fields = PythonFields(self)
         self.methods = MethodEffects(self)

@@ -320,6 +320,10 @@ class Flow:
         """Return the arguments of a call of C++ to which some object keeps a reference or pointer."""
         return self.folder.kept_references.of(call, env)
 
+    def changed_by_ending(self, func: Func) -> Set[str]:
+        """Return the variables of C++, by key, that objects change when they end which a function makes."""
+        return self.folder.ending.changed(func)
+
     def is_fixed(self, key: str, env: Env) -> bool:
         """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""
         return self.folder.shifting.is_fixed(key, env)
