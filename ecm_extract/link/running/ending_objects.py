@@ -1,6 +1,6 @@
 """Variables of C++ that objects change when they end: their destructors write to what they were made with.
 
-Source: [class.dtor] of the C++ standard. When an object ends is not followed: from the call that makes it on anybody may
+Source: [class.dtor] of the C++ standard. When an object ends is not followed: from the call on that makes it one may
 read what its destructor left, so that nothing is proved of such a variable in the function that makes the object.
 """
 
@@ -50,7 +50,7 @@ class EndingObjects:
         if self._any is None:
             self._any = False  # who asks in a circle
             classes = [cls for group in self.folder.program.classes.values() for cls in group]
-            self._any = any([self.acts(cls) for cls in classes])
+            self._any = any(self.acts(cls) for cls in classes)
         return self._any
 
     def _of(self, call: Call, func: Func, at: int) -> Iterator[Expr]:
