@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Text
 from ecm_parsers.source.facts import Parameter
 
-from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.calls import Invocation, taken_by
 from ecm_extract.link.code.numbers import NUMBERS
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Func
@@ -39,11 +39,16 @@ def not_outranked(call: Invocation, funcs: Sequence[Func]) -> Sequence[Func]:
     """
     if len(funcs) < 2 or call.func.file.language != "cpp" or not call.args:
         return funcs
-    given = [_type_given(arg, call.func) for arg in call.args]
-    taken = {func: [_Taken.of(*pair, func) for pair in zip(given, func.params, strict=False)] for func in funcs}
+    taken = {func: _taken(func, call) for func in funcs}
     rivals = [func for func in funcs if any(each.rank is not None for each in taken[func])]
     outranked = {func for func in rivals if any(_is_better(other, func, taken) for other in rivals)}
     return [func for func in funcs if func not in outranked]
+
+
+def _taken(func: Func, call: Invocation) -> Sequence[_Taken]:
+    """How a function takes the arguments of a call."""
+    given = [_type_given(arg, call.func) for arg in taken_by(func, call)]
+    return [_Taken.of(*pair, func) for pair in zip(given, func.params, strict=False)]
 
 
 class _Taken(NamedTuple):
