@@ -47,7 +47,7 @@ class Flow:
         self._runs: dict[Hashable, tuple[Env, Run | None]] = {}
         self._running: dict[Hashable, Func] = {}
         self._meanwhile: dict[Hashable, tuple[Env, Run | None]] = {}
-        self._within = 0
+        self._within = self.refused = 0
         self._outlines: dict[Func, Outline] = {}
         self._own = OwnCalls(folder)
         self.exceptions = Exceptions(folder.program)
@@ -134,11 +134,11 @@ class Flow:
 
     def _may_run(self, key: Hashable, env: Env) -> bool:
         """Whether a run is neither asked for by itself, nor deeper than is followed."""
-        if key in self._running or env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING:
-            return False
-        self._within += 1
+        self._within += key not in self._running
         again = sum(func is env.func for func in self._running.values())
-        return self._within <= MAX_WITHIN and again < MAX_RECURSION
+        bounded = env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING or self._within > MAX_WITHIN
+        self.refused += bounded
+        return key not in self._running and not bounded and again < MAX_RECURSION
 
     def states(self, env: Env) -> Sequence[State]:
         """Return the states in which a place is reached; none where nothing is known of it."""
