@@ -44,7 +44,7 @@ class Calling:
                 state = self.giving.written(_receiver(effect.call), state)
         state = self._by_bound_methods(calls, state)
         waits = at in self.frame.outline.waiting
-        own = _without(self.frame.judge.own_calls(env), skipped)
+        own = _without(self.frame.judge.own.of(env), skipped)
         state = self.giving.used(state) if waits or own else state
         state = self._methods(at, calls, [] if waits else own, env, state)
         state = self._inner(at, calls, env, state)
@@ -108,7 +108,7 @@ class Calling:
                 how: How = "handed" if key else "reached"
                 before = self.memory.known(root, state, None)
                 state = self.memory.in_place(root, Held(how, root, before=before), state)
-            own = self.frame.judge.is_own(call, self.frame.env.func, at)
+            own = self.frame.judge.own.is_own(call, self.frame.env.func, at)
             known = bool(key) and (state.holds.has_fields if own else bool(state.holds.within(key)))
             if known and not self._is_left(call, at):
                 kept = {each: state.holds[each] for each in state.holds.within(key)} if key in followed else {}
@@ -134,7 +134,7 @@ class Calling:
         judge, func = self.frame.judge, self.frame.env.func
         named = call.callee.name if isinstance(call.callee, Member) else ""
         known = self._is_left(call, at)
-        return not known and judge.is_own(call, func, at) and not judge.methods.all_leave(named, func)
+        return not known and judge.own.is_own(call, func, at) and not judge.methods.all_leave(named, func)
 
     def _is_left(self, call: Call, at: int) -> bool:
         """Whether a method changes nothing of the object that it is called on."""
@@ -154,7 +154,7 @@ class Calling:
         changed: set[str] = set()
         for at in statements(block):
             env = self.frame.env.within(state, at)
-            for call in self.frame.judge.own_calls(env):
+            for call in self.frame.judge.own.of(env):
                 key = self._object(call, env)
                 members = self.frame.judge.methods.changed(call, env) if key is not None and self.frame.whole else None
                 if members is not None:
@@ -194,7 +194,7 @@ class Calling:
         return state
 
     def _at_hand(self, call: Call, env: Env) -> str | None:
-        return "" if self.frame.judge.reaches_object(call, env) else None
+        return "" if self.frame.judge.own.reaches_object(call, env) else None
 
     def _on_object(self, key: str, calls: Sequence[Call], at: int, env: Env, state: State) -> State:
         """The state after calls on one object, by its key; the object at hand has none."""

@@ -36,7 +36,7 @@ class Choosing:
 
     def _matters(self, at: int, perhaps: Sequence[Call], state: State) -> bool:
         """Whether any of some calls changes something."""
-        own = self.frame.judge.own_calls(self.frame.place(state))
+        own = self.frame.judge.own.of(self.frame.place(state))
         doing = (*(effect.call for effect in self.frame.effects.of(at)), *own)
         return any(call is each for call in doing for each in perhaps)
 

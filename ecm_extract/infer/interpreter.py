@@ -59,7 +59,7 @@ class Interpreter:
         """Run the function from its beginning."""
         run = self.frame.run
         begun = self.frame.env.state or State()
-        end = self.run(self.frame.outline.block, self.memory.lost(begun, self.frame.outline.jumped))
+        end = self.run(self.frame.outline.block, self.memory.lost(begun, self.frame.outline.unfollowed))
         run.end, run.steps = joined_states([*self.exits.left, end]), self.frame.steps
         self.memory.sharing.consisting.forget()
         return run
@@ -136,7 +136,7 @@ class Interpreter:
         if isinstance(step, Later):
             return self._run_later(step, state)
         if isinstance(step, Leave) and step.how == "goto":
-            return state  # where it leads is not followed (see `Outline.jumped`)
+            return state  # where it leads is not followed (see `Outline.unfollowed`)
         if isinstance(step, Leave) and step.how == "throw":
             self.exits.thrown(state, step.raised)
         elif isinstance(step, Leave):

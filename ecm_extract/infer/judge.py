@@ -63,6 +63,19 @@ class Methods(Protocol):
         """Tell whether no method of a name that a function sees changes its object."""
 
 
+class Own(Protocol):
+    """Who knows the calls that run functions of the tree."""
+
+    def of(self, env: Env) -> Sequence[Call]:
+        """Return the calls of a statement that may run functions of the tree."""
+
+    def is_own(self, call: Call, func: Func, at: int) -> bool:
+        """Tell whether a call in a statement of a function may run a function of the tree."""
+
+    def reaches_object(self, call: Call, env: Env) -> bool:
+        """Tell whether a call of a function of the tree may run a method of the object at hand."""
+
+
 class Judge(Targets, Protocol):
     """Who evaluates expressions for a run."""
 
@@ -78,6 +91,10 @@ class Judge(Targets, Protocol):
     def methods(self) -> Methods:
         """Who knows what methods change."""
 
+    @property
+    def own(self) -> Own:
+        """Who knows the calls that run functions of the tree."""
+
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
 
@@ -89,15 +106,6 @@ class Judge(Targets, Protocol):
 
     def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
         """Return what a loop is over, each element once; None when not all of it is known."""
-
-    def own_calls(self, env: Env) -> Sequence[Call]:
-        """Return the calls of a statement that may run functions of the tree."""
-
-    def is_own(self, call: Call, func: Func, at: int) -> bool:
-        """Tell whether a call in a statement of a function may run a function of the tree."""
-
-    def reaches_object(self, call: Call, env: Env) -> bool:
-        """Tell whether a call of a function of the tree may run a method of the object at hand."""
 
     def assigns_own_way(self, target: Expr | None, env: Env) -> bool:
         """Tell whether the class of an object of C++ says what an assignment to it does."""

@@ -66,7 +66,9 @@ class Memory:
         return self.lost(state, self.names(owner, state))
 
     def _seen_by_others(self, key: str, held: Held) -> Held:
-        """What a variable holds that a lambda or a pointer may change any time."""
+        """What a variable holds that a lambda, a pointer or the end of an object may change any time."""
+        if key in self.frame.outline.unfollowed:
+            return Held("lost", key, before=(held,))
         if not self.is_open(key):
             if self.frame.python and key not in self.frame.outline.bound_inside:
                 return Held("handed", key, before=(held,))
@@ -243,7 +245,7 @@ class Memory:
 
     def given_again(self, keys: Iterable[str], state: State) -> State:
         """A function of the tree may assign members and variables outside of functions."""
-        again = tuple(keys)
+        again = tuple([key for key in keys if key not in self.frame.outline.unfollowed])  # nobody knows those
         self.show(again, state)
         return state.having({key: (Held("shared", key),) for key in again})
 

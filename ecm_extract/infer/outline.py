@@ -138,18 +138,19 @@ class Outline:
 
     @cached_property
     def escaped(self) -> Set[str]:
-        """The variables that functions which are declared within it change: any time from then on."""
+        """The variables that functions which are declared within it change, or objects that end: any time."""
         handed = (func for func in self.inner if func not in self.captured)
-        return self.jumped | {key for func in handed for key in self._changed_inside(func)}
+        return self.unfollowed | {key for func in handed for key in self._changed_inside(func)}
 
     @cached_property
-    def jumped(self) -> Set[str]:
-        """The variables that nobody knows in a function with jumps (`goto`): those that it does not only declare."""
+    def unfollowed(self) -> Set[str]:
+        """The variables that objects change when they end; with jumps (`goto`) all that are not only declared."""
+        ended = self.effects.targets.changed_by_ending(self.func)
         if not any(isinstance(step, Leave) and step.how == "goto" for step in steps(self.func.fact.flow)):
-            return frozenset()
+            return ended
         changed = Counter(key for keys in self._changed for key in keys)
         begun = self._declared.keys() - self.func.given
-        return frozenset(key for key, count in changed.items() if count > 1 or key not in begun)
+        return ended | {key for key, count in changed.items() if count > 1 or key not in begun}
 
     @cached_property
     def waiting(self) -> Set[int]:
@@ -294,7 +295,7 @@ class Outline:
     def _changed_inside(self, func: Func, bound: bool = False) -> Iterator[str]:
         outline = Outline(func, {}, (), self.effects.targets)
         inner = outline.effects
-        keys: list[str] = [] if self.python else [*changed_around(outline)]
+        keys: list[str] = [] if self.python else [*changed_around(outline), *outline.escaped]
         for at, statement in enumerate(func.fact.body):
             targets = [statement.target] if statement.kind in {"set", "each"} else []
             keys += [inner.key(target) or inner.root(target) for target in targets]

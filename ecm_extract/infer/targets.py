@@ -66,6 +66,9 @@ class Targets(Protocol):
     def has_setter(self, name: str, method: Func | None) -> bool:
         """Tell whether objects of Python have a property that a method sets: that of a method, None for any object."""
 
+    def changed_by_ending(self, func: Func) -> Set[str]:
+        """Return the variables of C++, by key, that objects change when they end which a function makes."""
+
     @property
     def lent(self) -> Lending:
         """Who knows which functions are handed to those that only call them."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, File
@@ -36,6 +36,9 @@ class CppClasses:
         """Return the class that a name, without template arguments, means in a scope of a file."""
         for view in self._seen(file):
             found = self._within(name, scope, view)
+            surely = self._within(name, scope, view.surely) if view.surely is not view else found
+            if isinstance(found, Cls) and isinstance(surely, Cls) and found is not surely:
+                return Ambiguous((found, surely))  # in another part of the function it means another
             if found is not None:
                 return found
         return External(name)
@@ -54,12 +57,20 @@ class CppClasses:
     def alias(self, name: str, file: File, scope: str) -> str | None:
         """Return what the alias stands for that a name means; None of other names and where several are meant."""
         for view in self._seen(file):
-            for level in self._scopes.levels(name, scope, view):
-                if any(cls.file in view for each in level for cls in self._classes.get(each, ())):
-                    return None
-                targets = {entry.alias.target for entry in self._declared(level, view)}
-                if targets:
-                    return targets.pop() if len(targets) == 1 else None
+            targets = self._targets(name, scope, view)
+            surely = self._targets(name, scope, view.surely) if view.surely is not view else targets
+            if targets is not None:
+                return next(iter(targets)) if len(targets) == 1 and surely in (None, targets) else None
+        return None
+
+    def _targets(self, name: str, scope: str, view: View) -> Set[str] | None:
+        """What the aliases of the innermost scope stand for that has a name: none for a class; None of no scope."""
+        for level in self._scopes.levels(name, scope, view):
+            if any(cls.file in view for each in level for cls in self._classes.get(each, ())):
+                return frozenset()
+            targets = {entry.alias.target for entry in self._declared(level, view)}
+            if targets:
+                return targets
         return None
 
     def spelled_out(self, name: str, file: File) -> str:
@@ -91,7 +102,8 @@ class CppClasses:
 
     def _declared(self, level: Sequence[str], view: View) -> Iterator[Declared]:
         for each in level:
-            yield from (entry for entry in self._aliases.by_name.get(each, ()) if entry.file in view)
+            entries = (entry for entry in self._aliases.by_name.get(each, ()) if entry.file in view)
+            yield from (entry for entry in entries if view.partly or not entry.alias.partly)
 
     def _renamed(self, level: Sequence[str], view: View) -> FoundClass | None:
         """What the aliases of a scope stand for; an alias of something outside hides what scopes further out have."""

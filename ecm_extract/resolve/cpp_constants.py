@@ -11,7 +11,7 @@ from ecm_parsers.source.facts import Constant
 from ecm_extract.link.code.units import File
 from ecm_extract.resolve.cpp_scopes import Scopes, joined
 from ecm_extract.resolve.outcome import Ambiguous, External
-from ecm_extract.resolve.views import Views
+from ecm_extract.resolve.views import View, Views
 
 
 class Stated(NamedTuple):
@@ -49,11 +49,21 @@ class CppConstants:
     def find(self, name: str, file: File, scope: str) -> Stated | Ambiguous[Stated] | External:
         """Return what a name means in a scope of a file; one that is declared only where no value is known."""
         for view in dict.fromkeys((self._views.of(file), self._views.wide(file))):
-            for level in self._scopes.levels(name, scope, view):
-                found = [entry for each in level for entry in self._by_name.get(each, ()) if entry.file in view]
-                if found:
-                    return _one([*found, *self._elsewhere(level, found)])
+            found = self._within(name, scope, view)
+            surely = found if view.surely is view else self._within(name, scope, view.surely)
+            if surely and surely != found:  # in another part of the function it means another
+                return Ambiguous(tuple(dict.fromkeys((*found, *surely))))
+            if found:
+                return _one(found)
         return External(name)
+
+    def _within(self, name: str, scope: str, view: View) -> list[Stated]:
+        """What the innermost scope has that has any, with the values elsewhere of what is only declared."""
+        for level in self._scopes.levels(name, scope, view):
+            found = [entry for each in level for entry in self._by_name.get(each, ()) if entry.file in view]
+            if found:
+                return [*found, *self._elsewhere(level, found)]
+        return []
 
     def _elsewhere(self, level: Sequence[str], found: Sequence[Stated]) -> list[Stated]:
         """The values of what is only declared here: `extern`, or a static member."""

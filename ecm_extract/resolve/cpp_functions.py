@@ -35,19 +35,39 @@ class CppFunctions:
         self._by_name[joined(func.fact.scope, func.fact.name)].append(func)
 
     def find(self, name: str, file: File, scope: str, depth: int = 0) -> tuple[Func, ...]:
-        """Return the functions that a name means in a scope of a file, in the order of files; empty for none."""
+        """Return the functions that a name means in a scope of a file, in the order of files; empty for none.
+
+        It is empty as well where the name means others in another part of the function.
+        """
         for view in dict.fromkeys((self._views.of(file), self._views.wide(file))):
-            for level in self._scopes.levels(name, scope, view):
-                found = self._declared(level, view)
-                if found:
-                    return (*found, *self._defined(level, found, file))
-                used = self._used(level, view, depth)
-                if used:
-                    return used
+            found = self._within(name, file, scope, depth, view)
+            surely = self._within(name, file, scope, depth, view.surely) if view.surely is not view else found
+            if surely and surely != found:
+                return ()
+            if found is not None:
+                return found
         return ()
+
+    def _within(self, name: str, file: File, scope: str, depth: int, view: View) -> tuple[Func, ...] | None:
+        """The functions in the innermost scope that has any; None where no scope does."""
+        for level in self._scopes.levels(name, scope, view):
+            if self._is_taken(level, view):
+                return ()
+            found = self._declared(level, view)
+            if found:
+                return (*found, *self._defined(level, found, file))
+            used = self._used(level, view, depth)
+            if used:
+                return used
+        return None
 
     def _declared(self, level: Sequence[str], view: View) -> list[Func]:
         return [func for each in level for func in self._by_name.get(each, ()) if func.file in view]
+
+    def _is_taken(self, level: Sequence[str], view: View) -> bool:
+        """Whether a block of the function takes the name, which is written whole where it stands for that alone."""
+        entries = (entry for each in level for entry in self._aliases.by_name.get(each, ()))
+        return any(entry.alias.scope.endswith("()") and entry.file in view for entry in entries)
 
     def _used(self, level: Sequence[str], view: View, depth: int) -> tuple[Func, ...]:
         """What `using a::f` brings into a scope."""

@@ -6,7 +6,9 @@ namespaces of using-directives, aliases of namespaces and classes in front of `:
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import takewhile
 
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls
@@ -43,6 +45,7 @@ class Scopes:
         self._aliases = aliases
         self._classes = classes
         self._bases = bases
+        self._by_directives: dict[tuple[str, View], Mapping[str, list[str]]] = {}
 
     def levels(self, name: str, scope: str, view: View, depth: int = 0) -> Iterator[Sequence[str]]:
         """Yield the qualified names of a name as written in a scope, those of one scope together.
@@ -54,12 +57,30 @@ class Scopes:
             depth: how many aliases led to the name.
         """
         bare = name.removeprefix("::")
-        for prefix in enclosing_scopes(scope.removeprefix("::")) if bare is name else ("",):
-            found = [joined(prefix, bare), *_through_usings(prefix, bare, view)]
+        around = scope.removeprefix("::") if bare is name else ""
+        used = self._used(around, view)
+        for prefix in enclosing_scopes(around):
+            own, through = joined(prefix, bare), [joined(each, bare) for each in used.get(prefix, ())]
+            found = [own, *through]
             yield list(dict.fromkeys(each for one in found for each in self._meanings(one, view, depth)))
-            brought = [each for one in found for each in _brought(one, view)]
+            brought = [each for one in (found if "::" in bare else through) for each in _brought(one, view)]
             if brought:
                 yield brought
+
+    def _used(self, scope: str, view: View) -> Mapping[str, Sequence[str]]:
+        """Scope -> the namespaces whose names it seems to have by using-directives of it, or of scopes within it.
+
+        Source: [basic.lookup.unqual]: the scope around both, the directive and the namespace that it names.
+        """
+        known = self._by_directives.get((scope, view))
+        if known is None:
+            known = self._by_directives[scope, view] = defaultdict(list)
+            for where in enclosing_scopes(scope):
+                for namespace in view.usings.get(where, ()):
+                    for prefix in enclosing_scopes(where):
+                        whole = joined(prefix, namespace)
+                        known[_around(where, whole)].append(whole)
+        return known
 
     def _meanings(self, qualified: str, view: View, depth: int) -> Iterator[str]:
         """A qualified name, and what it is by the bases and aliases of what stands in front of it."""
@@ -82,6 +103,12 @@ class Scopes:
                     full = "::".join([target, *parts[count:]])
                     for level in self.levels(full, entry.scope, view, depth + 1):
                         yield from level
+
+
+def _around(one: str, other: str) -> str:
+    """The innermost scope that is around two, or one of them."""
+    pairs = takewhile(lambda pair: pair[0] == pair[1], zip(one.split("::"), other.split("::"), strict=False))
+    return "::".join(part for part, _ in pairs)
 
 
 def _brought(qualified: str, view: View) -> Iterator[str]:

@@ -15,13 +15,19 @@ from ecm_extract.resolve.headers import Headers
 
 
 class View:
-    """Files that are seen together, with the namespaces that their using-directives name, by scope."""
+    """Files that are seen together, with the namespaces that their using-directives name, by scope.
 
-    def __init__(self, files: Iterable[File]) -> None:
+    Args:
+        files: the files.
+        partly: whether directives and aliases count that only a part of a function has.
+    """
+
+    def __init__(self, files: Iterable[File], partly: bool = True) -> None:
+        self.partly = partly
         self.files = frozenset(files)
         found: dict[str, set[str]] = defaultdict(set)
         for file in self.files:
-            for using in file.facts.usings:
+            for using in (each for each in file.facts.usings if partly or not each.partly):
                 found[using.where].add(using.namespace)
             for scope, namespace in _within_used(file):
                 if namespace in self._namespaces:
@@ -30,6 +36,14 @@ class View:
 
     def __contains__(self, file: File) -> bool:
         return file in self.files
+
+    @cached_property
+    def surely(self) -> View:
+        """The same files with the directives and aliases only that all of a function has; itself without others."""
+        facts = [file.facts for file in self.files] if self.partly else []
+        open_ = any(using.partly for each in facts for using in each.usings)
+        open_ = open_ or any(alias.partly for each in facts for alias in each.aliases)
+        return View(self.files, partly=False) if open_ else self
 
     @cached_property
     def _namespaces(self) -> frozenset[str]:

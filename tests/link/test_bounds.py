@@ -217,6 +217,19 @@ def test_a_run_that_has_no_steps_left_is_a_gap(workspace: Any, monkeypatch: pyte
     assert [entry.code for entry in found.diagnostics if "all steps" in entry.message] == ["function-left-out"]
 
 
+@pytest.mark.parametrize(("count", "is_told"), [(4, False), (40, True)])
+def test_a_name_behind_too_many_functions_is_told(workspace: Any, count: int, is_told: bool) -> None:
+    """A bound that ends the search for a name is a gap on its line: nobody knows which endpoint it is."""
+    helpers = [f'std::string f{at}(std::string x) {{ return f{at + 1}(x + "a"); }}\n' for at in reversed(range(count))]
+    made = _CPP.format('create_publisher<std_msgs::msg::String>(f0("n"), 1);')
+    source = f"std::string f{count}(std::string x) {{ return x; }}\n" + "".join(helpers) + made
+    workspace.package({"src/d.cpp": source})
+    found = extract(open_tree(workspace.root), Options(jobs=1))
+    told = [(entry.code, entry.line) for entry in found.diagnostics]
+    assert told == [("values-left-out", count + 2)] * is_told
+    assert [entry.reason for entry in found.unread] == ["unjudged"] * is_told
+
+
 def test_tests_behind_tests_that_nothing_passes_end(workspace: Any) -> None:
     """What a variable holds where no run comes has no way left of it: asking for that went on until the stack ended."""
     body = """

@@ -19,6 +19,14 @@ class SourceFile:
     package: str = "pkg"
 
 
+class Seen(frozenset[Any]):
+    """Files that are seen together, all of whose directives hold everywhere."""
+
+    @property
+    def surely(self) -> Seen:
+        return self
+
+
 @dataclass(frozen=True, eq=False)
 class Function:
     """A function with so many parameters."""
@@ -48,7 +56,7 @@ CASES = {
 def test_another_file_defines_only_what_is_declared(here: list[Function], other: Function, is_meant: bool) -> None:
     """A function of that name in another program is another function, whatever its parameters."""
     scopes: Any = SimpleNamespace(levels=lambda name, scope, view: [[name]])
-    views: Any = SimpleNamespace(of=lambda file: frozenset({file}), wide=lambda file: frozenset({file}))
+    views: Any = SimpleNamespace(of=lambda file: Seen({file}), wide=lambda file: Seen({file}))
     functions = CppFunctions(scopes, views, SimpleNamespace(by_name={}))  # type: ignore[arg-type]
     for each in (*here, other):
         functions.add(each)  # type: ignore[arg-type]

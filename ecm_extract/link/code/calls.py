@@ -129,6 +129,8 @@ def spreads(call: Invocation) -> bool:
     return any(map(is_spread, call.args)) or any(name == SPREAD for name, _ in call.keywords)
 
 
+_NODE: Final = "node"
+"""Operator of several interfaces of a node that a call gives in the place of one."""
 PLACEHOLDER: Final = "*"
 """Begins the names of arguments that stand for others; no variable has such a name."""
 
@@ -158,7 +160,23 @@ def one_node(func: Func, args: tuple[Expr, ...]) -> tuple[Expr, ...]:
     count = 0
     while count < len(args) and _is_interface(func, args[count]):
         count += 1
-    return args if count < 2 else (Name("node"), *args[count:])
+    return args if count < 2 else (node_of(args[:count]), *args[count:])
+
+
+def node_of(interfaces: tuple[Expr, ...]) -> Expr:
+    """Return the node that some interfaces stand for."""
+    return Op(_NODE, interfaces)
+
+
+def taken_by(func: Func, call: Invocation) -> tuple[Expr, ...]:
+    """Return the arguments of a call as a function takes them: interfaces of a node as the node, where it says so."""
+    first, merged = call.args[:1], len(func.fact.params) - len(func.params)
+    written = isinstance(first[0], Op) and first[0].op == _NODE if first else False
+    if not first or (written and merged) or not (written or merged):
+        return call.args
+    if isinstance(first[0], Op) and written:
+        return (*first[0].operands, *call.args[1:])
+    return (node_of(call.args[: merged + 1]), *call.args[merged + 1 :]) if len(call.args) > merged else call.args
 
 
 def _is_interface(func: Func, expr: Expr) -> bool:

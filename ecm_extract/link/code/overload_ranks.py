@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Text
 from ecm_parsers.source.facts import Parameter
 
-from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.calls import Invocation, taken_by
 from ecm_extract.link.code.numbers import NUMBERS
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Func
@@ -33,14 +33,22 @@ _TEXTS: Final = frozenset({"string", "string_view"})
 
 
 def not_outranked(call: Invocation, funcs: Sequence[Func]) -> Sequence[Func]:
-    """Return the functions that none of the same class or namespace is better than for a call of C++."""
+    """Return the functions that none of the same class, or of the others outside of classes, is better than for a call.
+
+    Only C++ has several: those of one scope, and what directives bring there ([namespace.udir]).
+    """
     if len(funcs) < 2 or call.func.file.language != "cpp" or not call.args:
         return funcs
-    given = [_type_given(arg, call.func) for arg in call.args]
-    taken = {func: [_Taken.of(*pair, func) for pair in zip(given, func.params, strict=False)] for func in funcs}
+    taken = {func: _taken(func, call) for func in funcs}
     rivals = [func for func in funcs if any(each.rank is not None for each in taken[func])]
     outranked = {func for func in rivals if any(_is_better(other, func, taken) for other in rivals)}
     return [func for func in funcs if func not in outranked]
+
+
+def _taken(func: Func, call: Invocation) -> Sequence[_Taken]:
+    """How a function takes the arguments of a call."""
+    given = [_type_given(arg, call.func) for arg in taken_by(func, call)]
+    return [_Taken.of(*pair, func) for pair in zip(given, func.params, strict=False)]
 
 
 class _Taken(NamedTuple):
@@ -56,7 +64,7 @@ class _Taken(NamedTuple):
 
 
 def _is_better(one: Func, other: Func, taken: Mapping[Func, Sequence[_Taken]]) -> bool:
-    if one is other or one.cls is not other.cls or one.fact.scope != other.fact.scope:
+    if one is other or one.cls is not other.cls:
         return False
     better = False
     for left, right in zip(taken[one], taken[other], strict=False):
@@ -80,7 +88,7 @@ def _type_given(arg: Expr, caller: Func) -> str:
         return "bool"
     if isinstance(arg, Call):
         return _short(_returned(arg.callee, caller))
-    if not isinstance(arg, Name):
+    if not isinstance(arg, Name) or arg.id in caller.variously_typed:
         return ""
     member = caller.cls.fields.get(arg.id) if caller.cls is not None else None
     written = caller.written_types.get(arg.id, member.type if member is not None else "")

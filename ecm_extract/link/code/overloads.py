@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Text
 from ecm_parsers.source.facts import Parameter
 
-from ecm_extract.link.code.calls import Invocation, spreads
+from ecm_extract.link.code.calls import Invocation, spreads, taken_by
 from ecm_extract.link.code.overload_ranks import not_outranked
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Func
@@ -27,7 +27,7 @@ def score(call: Invocation, func: Func) -> int:
     if not _deducible(call, func) or not _is_specialized_so(call, func):
         return NO
     total = 1 if "declaration" not in func.fact.traits else 0
-    for arg, parameter in zip(call.args, func.params, strict=False):
+    for arg, parameter in zip(taken_by(func, call), func.params, strict=False):
         fit = _fit(arg, parameter, call.func, func)
         if fit == NO:
             return NO
@@ -61,7 +61,7 @@ def _has_body(func: Func) -> bool:
 def is_countable(call: Invocation, func: Func) -> bool:
     """Tell whether a call may give as many arguments as a function takes."""
     least, most = func.arity
-    return spreads(call) or least <= len(call.args) + len(call.keywords) <= most
+    return spreads(call) or least <= len(taken_by(func, call)) + len(call.keywords) <= most
 
 
 def _deducible(call: Invocation, func: Func) -> bool:
@@ -109,7 +109,12 @@ def _text_fit(last: str) -> int:
 def _variable_fit(name: str, wanted: str, caller: Func) -> int:
     member = caller.cls.fields.get(name) if caller.cls is not None else None
     declared = caller.written_types.get(name, member.type if member is not None else "")
-    if not declared or plain(declared) == "auto" or plain(declared) in caller.fact.template:
+    if (
+        not declared
+        or name in caller.variously_typed
+        or plain(declared) == "auto"
+        or plain(declared) in caller.fact.template
+    ):
         return 0
     last = wanted.rsplit("::", 1)[-1]
     is_text = declared.startswith("char[") and last != "char"

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from math import inf
-from typing import Final
+from typing import Final, TypeGuard
 
 from ecm_parsers.source.expr import Call, Expr, Name, Table
 from ecm_parsers.source.facts import Class, Field, Function, Parameter, SourceFile, Statement
@@ -81,6 +82,7 @@ class Func:
     _calls: tuple[Sequence[Call], ...] | None = None
     _defaults: tuple[tuple[str, Expr], ...] | None = None
     _written_types: Mapping[str, str] | None = None
+    _variously_typed: frozenset[str] | None = None
     _callables: Callables | None = None
     _specialized: tuple[str, ...] | None = None
 
@@ -88,6 +90,7 @@ class Func:
         """Have other facts from now on, and forget what was asked of those before."""
         self.fact = fact
         self._params = self._arity = self._calls = self._defaults = self._written_types = self._callables = None
+        self._variously_typed = None
 
     def siblings(self) -> Iterator[Func]:
         """The declarations and definitions of that name in its class or namespace, itself included."""
@@ -147,6 +150,17 @@ class Func:
             given = {entry.name: entry.type for entry in reversed(self.fact.params) if entry.type}
             self._written_types = {**found, **given}
         return self._written_types
+
+    @property
+    def variously_typed(self) -> frozenset[str]:
+        """The variables of which blocks declare several of a name, of several types."""
+        if self._variously_typed is None:
+            lets = {
+                (each.target.id, each.type) for each in self.fact.body if each.kind == "let" and _is_name(each.target)
+            }
+            counts = Counter(name for name, _ in lets)
+            self._variously_typed = frozenset(name for name, count in counts.items() if count > 1)
+        return self._variously_typed
 
     @property
     def calls(self) -> tuple[Sequence[Call], ...]:
@@ -245,6 +259,10 @@ class Cls:
     def filled(self) -> list[str]:
         """The fields in the order in which braces fill them; those of the class itself are none."""
         return [field.name for field in self.fact.fields if "static" not in field.traits]
+
+
+def _is_name(expr: Expr | None) -> TypeGuard[Name]:
+    return isinstance(expr, Name)
 
 
 def _has_same_form(template: Func, func: Func) -> bool:

@@ -43,6 +43,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         below: the member of its object that stands before the name, with a point between them.
         gives: what the method returns, as a qualified class name: a sign of the class of an object of unknown type.
         node: position of the node or node handle when it is an argument.
+        interfaces: how many interfaces of a node may stand in place of the node, in front of the name.
         fixed: the name, when the form implies it; `~/x` is private, or below the handle at `node` where one is given.
         place: what the endpoint is called where the name that is given is not its own: `{name}/get`,
             `{parent}/info`; `~/{name}` is private where no handle is given.
@@ -74,6 +75,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     below: str = ""
     gives: str = ""
     node: str = ""
+    interfaces: int = 0
     fixed: str = ""
     place: str = ""
     beside: bool = False

@@ -11,7 +11,9 @@ from ecm_parsers.source.flow import Block, Branch, Switch, statements, steps
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.walk import expressions, last_of, names_in
+from ecm_extract.shipped import shipped_names
 
+_PRESENT: Final = shipped_names("link/code/library_values.toml", "present")
 _JOINING: Final = frozenset({"!", "&&", "||", "not", "and", "or"})
 
 
@@ -38,7 +40,7 @@ def is_denied(call: Invocation) -> bool:
         return False
     denies = value.op == "!" or (value.op == "==" and value.operands[1:] == (Constant("false"),))
     asked = value.operands[0]
-    return denies and isinstance(asked, Call) and asked.line == call.line and asked.args == call.args
+    return denies and _is(asked, call)
 
 
 def assigned_instead(call: Invocation, out: Expr, at: int) -> Expr | None:
@@ -49,6 +51,42 @@ def assigned_instead(call: Invocation, out: Expr, at: int) -> Expr | None:
         if statement.kind == "set" and statement.target == out:
             return statement.value
     return None
+
+
+def assigned_otherwise(call: Invocation, out: Expr) -> Expr | None:
+    """Return what the other side of a choice gives the variable: of a read that is asked, or of whether it is there.
+
+    `if (read(name, out)) {} else { out = value; }`, `if (has(name)) { read(name, out); } else { out = value; }`.
+    """
+    body = call.func.fact.body
+    found = [body[at].value for block in _where_unset(call) for at in statements(block) if _gives(body[at], out)]
+    return found[0] if len(found) == 1 else None
+
+
+def _where_unset(call: Invocation) -> Iterator[Block]:
+    """Yield what runs where a parameter is not set, which a choice around its read asks, or the read itself."""
+    for step in steps(call.func.fact.flow):
+        if not isinstance(step, Branch):
+            continue
+        denies = isinstance(step.test, Op) and step.test.op == "!"
+        asked = step.test.operands[0] if isinstance(step.test, Op) and denies else step.test
+        there, absent = (step.other, step.then) if denies else (step.then, step.other)
+        reads = step.test == call.statement.value and _is(asked, call)
+        if reads or (_asks_for(asked, call) and call.at in statements(there)):
+            yield absent
+
+
+def _is(asked: Expr, call: Invocation) -> bool:
+    return isinstance(asked, Call) and asked.line == call.line and asked.args == call.args
+
+
+def _asks_for(asked: Expr, call: Invocation) -> bool:
+    """Whether an expression asks just whether the parameter is there that a call reads."""
+    return isinstance(asked, Call) and last_of(asked.callee) in _PRESENT and asked.args[:1] == call.args[:1]
+
+
+def _gives(statement: Statement, out: Expr) -> bool:
+    return statement.kind == "set" and statement.target == out and not statement.type
 
 
 def given_instead(call: Invocation, out: Expr | None) -> Expr | None:

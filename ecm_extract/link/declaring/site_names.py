@@ -5,7 +5,7 @@ from __future__ import annotations
 from ecm_extract.link.declaring.match import name_argument
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.folding.steps import is_left_out
+from ecm_extract.link.folding.steps import is_left_out, is_too_deep
 from ecm_extract.link.running.values import Value
 
 
@@ -31,8 +31,10 @@ class SiteNames:
         return known
 
     def told(self, site: Site) -> tuple[Value, ...]:
-        """Return the names of a site that is told, and note it where there are more of them."""
+        """Return the names of a site that is told, and note it where a bound left some out."""
         values = self.of(site)
         if any(map(is_left_out, values)):
             self.folder.steps.leave_out(site.env)
+        if any(map(is_too_deep, values)):
+            self.folder.steps.give_up(site.env)
         return values

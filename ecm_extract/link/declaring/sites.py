@@ -20,6 +20,7 @@ from ecm_extract.link.declaring.dispatching import Dispatching
 from ecm_extract.link.declaring.escaping import escaping, handed_makers
 from ecm_extract.link.declaring.making import Making
 from ecm_extract.link.declaring.match import Matcher
+from ecm_extract.link.declaring.node_interfaces import with_one_node
 from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
 from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.declaring.prefixes import prefixed
@@ -118,7 +119,8 @@ class Sites:
             forms = list(self.matcher.fitting(self.folder.spreading.out(each, env).call, env))
             for row in forms:
                 if row.row.value is parameters:
-                    written, form = transported(prefixed(each, row), row)
+                    of_node = with_one_node(each, row, env, self.folder)
+                    written, form = transported(prefixed(of_node, row), row)
                     yield self._spread_out(Site(form, written, env, (), func.holder, func))
             if forms:
                 return

@@ -13,7 +13,14 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 from ecm_extract.infer.held import Held, all_ways
 from ecm_extract.link.code.own import own_name
 from ecm_extract.link.declaring.handed_instead import handed_instead
-from ecm_extract.link.declaring.instead import assigned_instead, goes_on, is_denied, is_made_over, returned_instead
+from ecm_extract.link.declaring.instead import (
+    assigned_instead,
+    assigned_otherwise,
+    goes_on,
+    is_denied,
+    is_made_over,
+    returned_instead,
+)
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
@@ -40,6 +47,9 @@ def _fallback(site: Site, at: int, folder: Folder) -> Expr | None:
         return instead
     if is_made_over(site.call, out):
         return None
+    otherwise = assigned_otherwise(site.call, out) if not is_denied(site.call) else None
+    if otherwise is not None:
+        return otherwise
     keeps = goes_on(site.call)
     if is_denied(site.call) and not keeps:
         return assigned_instead(site.call, out, at) or handed_instead(site.call, out)

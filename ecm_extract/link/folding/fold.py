@@ -63,6 +63,7 @@ from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.begun_objects import BegunObjects
 from ecm_extract.link.running.changed_meanwhile import ChangedMeanwhile
 from ecm_extract.link.running.changed_outside import ChangedOutside
+from ecm_extract.link.running.ending_objects import EndingObjects
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.excluded import Excluded
 from ecm_extract.link.running.faults import Faults
@@ -92,6 +93,7 @@ from ecm_extract.link.running.unset_variables import UnsetVariables
 from ecm_extract.link.running.untold import Untold
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
+    TOO_DEEP,
     Hole,
     Value,
     alternatives,
@@ -192,6 +194,7 @@ class Folder:
         self.lasting_states = LastingStates(self)
         self.lent = Lent(self)
         self.kept_references = KeptReferences(self)
+        self.ending = EndingObjects(self)
         self.kept_parts = KeptParts(self)
         self.python_fields = PythonFields(self)
         self.methods = MethodEffects(self)
@@ -204,7 +207,7 @@ class Folder:
             self._answers.clear()  # more may be known of parameters by now
         if expr is None or env.depth > MAX_DEPTH or not self.steps.take(env):
             self.cuts += 1
-            return (unknown("value"),)
+            return (TOO_DEEP if expr is not None and env.depth > MAX_DEPTH else unknown("value"),)
         with self.steps:
             values = self.numbers.held(self._by_kind(expr, env), expr, env)
         if any(map(is_left_out, values)):
@@ -258,7 +261,7 @@ class Folder:
         if asked in self._active or len(self._active) > MAX_NESTED:
             self.cuts += 1
             self.cycles += 1
-            return (circle or unknown(label),)
+            return (circle or unknown(label) if asked in self._active else TOO_DEEP,)
         known = self._meanwhile.get(asked)
         if known is not None:
             self.cycles += 1  # whoever uses it has a part in the cycle

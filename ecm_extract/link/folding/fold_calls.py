@@ -94,7 +94,7 @@ class CallFolder:
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
         call, env = self.folder.spreading.known(invocation_of(expr, env), env)
-        meant = spelled(call.path, env, self.folder.objects)
+        meant = spelled(call.path, env, self.folder.objects) if call.receiver is None else call.path
         if not meant:
             return (parameter(call.path, made=True),)
         if meant != call.path:

@@ -27,6 +27,7 @@ from ecm_extract.link.running.env import Bound, Env, Instance, invocation_of
 from ecm_extract.link.running.object_states import is_own
 from ecm_extract.link.running.own_names import below_namespace
 from ecm_extract.link.running.values import (
+    TOO_DEEP,
     Value,
     alternatives,
     demoted,
@@ -57,9 +58,10 @@ class ReturnFolder:
         callee = self.meant(call, env) or self._of_part(call, env)
         if callee is None or "generator" in callee.fact.traits:
             return (told_by_node(call, env, self.folder) or unknown(call.last),)
+        refused = self.folder.flow.refused
         found = self.returned(callee, call, env)
         if not found or len(found) > MAX_RETURNS:
-            return (unknown(call.last),)
+            return (unknown(call.last) if refused == self.folder.flow.refused and found == [] else TOO_DEEP,)
         folded = [(value, at) for expr, at in found for value in self.folder.fold(expr, at)]
         values = [each for value, at in _beside_joined(folded) for each in self.folder.excluded.without((value,), at)]
         if call.receiver is not None and not is_own(call.receiver):

@@ -10,7 +10,7 @@ from typing import Final
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.faults import CODE
-from ecm_extract.link.running.values import TOO_MANY, Value
+from ecm_extract.link.running.values import TOO_DEEP, TOO_MANY, Value
 from ecm_extract.tree import FileDiagnostic, Unread, printable
 
 MAX_QUESTION: Final = 1_500
@@ -47,6 +47,7 @@ class Steps:
         self._runs: list[Func] = []
         self._taken: Counter[Func] = Counter()
         self._cut: dict[tuple[str, int], None] = {}
+        self._given_up: dict[tuple[str, int], None] = {}
         self._spent_by: dict[Func, None] = {}
         self._ended: Func | None = None
         self._silent = False
@@ -70,6 +71,10 @@ class Steps:
         """Remember a place whose values are not all computed; within a question it is the place that asked."""
         if not self._silent:
             self._cut[_place(self._asked if self.depth and self._asked is not None else env)] = None
+
+    def give_up(self, env: Env) -> None:
+        """Remember a place whose name lies behind more functions, branches or objects than are followed."""
+        self._given_up[_place(env)] = None
 
     def _may_run_on(self) -> bool:
         """Count an evaluation for the function that is run, and tell whether it has one left."""
@@ -128,6 +133,7 @@ class Steps:
         """Return what is to be told of functions that were not run to the end, and of places without a value."""
         told = [_told_of(func) for func in self._spent_by]
         told += [_told_end(self._ended)] if self._ended is not None else []
+        told += [_told_depth(path, line) for path, line in self._given_up]
         told += [_told(path, line) for path, line in list(self._cut)[:MAX_TOLD]]
         rest = len(self._cut) - MAX_TOLD
         if rest > 0:
@@ -140,6 +146,11 @@ class Steps:
 def is_left_out(value: Value) -> bool:
     """Tell whether a value stands for those that are too many."""
     return TOO_MANY.parts[0] in value.parts
+
+
+def is_too_deep(value: Value) -> bool:
+    """Tell whether a bound ended the search for a value, or for a part of it."""
+    return TOO_DEEP.parts[0] in value.parts
 
 
 def _told_of(func: Func) -> FileDiagnostic:
@@ -165,6 +176,15 @@ def _told_end(func: Func) -> FileDiagnostic:
 def _told(path: str, line: int) -> FileDiagnostic:
     text = f"A value here takes too many steps to compute, so it is unknown; {_HINT}."
     return FileDiagnostic("warning", _VALUES, path, line, text)
+
+
+def _told_depth(path: str, line: int) -> FileDiagnostic:
+    """Nobody knows which endpoint it is, since the search for its name was ended: a gap."""
+    text = (
+        "The name of an endpoint here lies behind more functions, branches or objects than are followed, so it is "
+        f"unknown; {_HINT}."
+    )
+    return FileDiagnostic("warning", _VALUES, printable(path), line, text, Unread(printable(path), "unjudged"))
 
 
 def _place(env: Env) -> tuple[str, int]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence, Set
 
-from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.calls import Invocation, taken_by
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.owning.made_unseen import SeenMakers
 
@@ -33,8 +33,9 @@ class Constructors:
 
     def _never_meant(self, cls: Cls) -> Iterator[Func]:
         """Objects are made without arguments in more ways than are seen."""
-        counts = {len(call.args) for call in self._calls.get(cls.fact.name, ())}
-        for func in cls.methods if counts else ():
+        calls = self._calls.get(cls.fact.name, ())
+        for func in cls.methods if calls else ():
             least, most = func.arity
+            counts = {len(taken_by(func, call)) for call in calls}
             if func.is_constructor and least and not any(least <= count <= most for count in counts):
                 yield func

@@ -10,10 +10,11 @@ from collections.abc import Callable
 from typing import Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque, Table, Text
+from msgspec.structs import replace
 
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.places import whole_of
-from ecm_extract.link.code.calls import PLACEHOLDER, Invocation, spreads
+from ecm_extract.link.code.calls import PLACEHOLDER, Invocation, spreads, taken_by
 from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY, is_spread, mentions, reads_only
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Bound, Env
@@ -36,7 +37,8 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
     if callee.is_wrapped:
         names = [parameter.name.lstrip("*") for parameter in callee.params]
         return {name: Bound(Opaque(name), Env(callee, depth=env.depth)) for name in names}
-    given = _given(call, env)
+    taken = taken_by(callee, call)
+    given = _given(call if taken is call.args else replace(call, args=taken), env)
     own = {parameter.name for parameter in callee.params}
     bound: dict[str, Bound] = {}
     rest = given.placed

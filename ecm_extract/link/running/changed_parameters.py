@@ -72,7 +72,7 @@ class ChangedParameters:
         """Tell whether a method changes no member of its object, and calls no other one that might."""
         if "const" in method.fact.traits:
             return True
-        own = self.folder.flow.is_own
+        own = self.folder.flow.own.is_own
         calls = any(own(call, method, at) for at, group in enumerate(method.calls) for call in group)
         return not calls and not any(key.startswith(".") for key in self.folder.flow.outline(method).changes)
 

@@ -8,7 +8,6 @@ from typing import Final, Protocol
 from ecm_parsers.source.expr import THIS
 
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.spelling import template_arguments
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.env import Env
@@ -38,14 +37,7 @@ def _is_own(call: Invocation, env: Env) -> bool:
     static = env.func.cls
     if static is None or static.file.language != "cpp" or env.this in {None, static}:
         return False
-    return (call.receiver == THIS and not _is_given(static, env)) or (call.receiver is None and call.simple)
-
-
-def _is_given(static: Cls, env: Env) -> bool:
-    """Whether a template gets the class of the object at hand, to which it casts that: `static_cast<T *>(this)`."""
-    own = env.this
-    written = own.fact.bases if own is not None and static.fact.template else ()
-    return own is not None and any(own.fact.name in template_arguments(base) for base in written)
+    return (call.receiver == THIS and "::" not in call.path) or (call.receiver is None and call.simple)
 
 
 def is_virtual(method: Func, program: Program) -> bool:

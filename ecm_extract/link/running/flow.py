@@ -47,9 +47,9 @@ class Flow:
         self._runs: dict[Hashable, tuple[Env, Run | None]] = {}
         self._running: dict[Hashable, Func] = {}
         self._meanwhile: dict[Hashable, tuple[Env, Run | None]] = {}
-        self._within = 0
+        self._within = self.refused = 0
         self._outlines: dict[Func, Outline] = {}
-        self._own = OwnCalls(folder)
+        self.own = OwnCalls(folder)
         self.exceptions = Exceptions(folder.program)
         self.truths = Truths(folder, self.outline)
         self.decisions = Decisions(folder, self.truths)
@@ -135,10 +135,11 @@ class Flow:
 
     def _may_run(self, key: Hashable, env: Env) -> bool:
         """Whether a run is neither asked for by itself, nor deeper than is followed."""
-        if key in self._running or env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING:
-            return False
-        self._within += 1
-        return self._within <= MAX_WITHIN and list(self._running.values()).count(env.func) < MAX_RECURSION
+        self._within += key not in self._running
+        bounded = env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING or self._within > MAX_WITHIN
+        self.refused += bounded
+        again = list(self._running.values()).count(env.func)
+        return key not in self._running and not bounded and again < MAX_RECURSION
 
     def states(self, env: Env) -> Sequence[State]:
         """Return the states in which a place is reached; none where nothing is known of it."""
@@ -296,22 +297,6 @@ class Flow:
         """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""
         return self.folder.objects.file_scope.is_outside(name, func)
 
-    def own_calls(self, env: Env) -> Sequence[Call]:
-        """Return the calls of a statement that may run functions of the tree."""
-        return self._own.of(env)
-
-    def is_own(self, call: Call, func: Func, at: int) -> bool:
-        """Tell whether a call in a statement of a function may run a function of the tree."""
-        return self._own.is_own(call, func, at)
-
-    def reaches_object(self, call: Call, env: Env) -> bool:
-        """Tell whether a call of a function of the tree may run a method of the object at hand."""
-        return self._own.reaches_object(call, env)
-
-    def hands_on(self, call: Call, env: Env) -> bool:
-        """Tell whether a call gives others the object at hand, or a function that may use it."""
-        return self._own.hands_on(call, env)
-
     def assigns_own_way(self, target: Expr | None, env: Env) -> bool:
         """Tell whether the class of an object of C++ says what an assignment to it does."""
         return self.folder.own_copies.is_assigned(target, env)
@@ -323,6 +308,10 @@ class Flow:
     def kept_arguments(self, call: Call, env: Env) -> Sequence[Kept]:
         """Return the arguments of a call of C++ to which some object keeps a reference or pointer."""
         return self.folder.kept_references.of(call, env)
+
+    def changed_by_ending(self, func: Func) -> Set[str]:
+        """Return the variables of C++, by key, that objects change when they end which a function makes."""
+        return self.folder.ending.changed(func)
 
     def is_fixed(self, key: str, env: Env) -> bool:
         """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""

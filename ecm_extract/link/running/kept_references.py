@@ -86,6 +86,10 @@ class KeptReferences:
             known = self._writing[cls, name] = any(self._writes(name, func, cls) for func in funcs)
         return known
 
+    def writes(self, name: str, func: Func, cls: Cls) -> bool:
+        """Tell whether a function changes what a member that leads out of its object refers or points to."""
+        return _leads_out(cls.fields[name].type) and self._writes(name, func, cls)
+
     def _writes(self, name: str, func: Func, cls: Cls) -> bool:
         if name not in self.folder.shifting.names(func):
             return False

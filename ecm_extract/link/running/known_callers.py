@@ -149,7 +149,7 @@ class KnownCallers:
                 return True
             if isinstance(expr, Member) and isinstance(expr.base, Name):
                 continue
-            if isinstance(expr, Call) and not self.folder.flow.is_own(expr, func, at):
+            if isinstance(expr, Call) and not self.folder.flow.own.is_own(expr, func, at):
                 pending += [part for part in children(expr) if not isinstance(part, Name)]
             elif isinstance(expr, Call):
                 lent = self._lent(expr, func, at)

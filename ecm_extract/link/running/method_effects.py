@@ -38,7 +38,7 @@ class MethodEffects:
 
     def called_on(self, call: Call, env: Env) -> str | None:
         """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
-        return "" if self.folder.flow.reaches_object(call, env) else self.holder(invocation_of(call, env), env)
+        return "" if self.folder.flow.own.reaches_object(call, env) else self.holder(invocation_of(call, env), env)
 
     def changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
         """Return the members that a call of a method may change; None where that is not known.
@@ -51,7 +51,7 @@ class MethodEffects:
             The member as a variable of the function that calls -> as one of the method.
         """
         found = invocation_of(call, env)
-        if self._is_outside(found, env) and not self.folder.flow.hands_on(call, env):
+        if self._is_outside(found, env) and not self.folder.flow.own.hands_on(call, env):
             return {}
         if self._makes_base(found) or leaves_members(found, env, self.folder):
             return {}
@@ -62,7 +62,7 @@ class MethodEffects:
         if prefix is None:
             return None
         callee = self._meant(found, env)
-        if callee is None or self.folder.flow.hands_on(call, env):
+        if callee is None or self.folder.flow.own.hands_on(call, env):
             return None
         members = self.members(callee, self.folder.returns.object_at(callee, found, env))
         if members is None or (members and not is_own(found.receiver) and not self._is_made(found, env)):
@@ -72,7 +72,7 @@ class MethodEffects:
     def _is_given(self, call: Call, env: Env) -> bool:
         """Whether a function of Python, and no method of the object, gets that or a method of it."""
         own = isinstance(call.callee, Name)
-        return own and env.func.file.language == "python" and self.folder.flow.hands_on(call, env)
+        return own and env.func.file.language == "python" and self.folder.flow.own.hands_on(call, env)
 
     def _makes_base(self, call: Invocation) -> bool:
         """Whether a call makes a base of the object at hand, whose own members begin after that."""
@@ -110,9 +110,9 @@ class MethodEffects:
         """Tell whether a function may call methods of the object at hand."""
         known = self._calling.get(func)
         if known is None:
-            flow = self.folder.flow
+            own = self.folder.flow.own
             asked = ((call, Env(func, at)) for at, calls in enumerate(func.calls) for call in calls)
-            known = any(flow.is_own(call, func, place.at) and flow.reaches_object(call, place) for call, place in asked)
+            known = any(own.is_own(call, func, place.at) and own.reaches_object(call, place) for call, place in asked)
             self._calling[func] = known
         return known
 
@@ -207,7 +207,7 @@ class MethodEffects:
             for call in calls:
                 callee = call.callee
                 key = effects.root(callee.base) if isinstance(callee, Member) else ""
-                if key[:1] == "." and len(key) > 1 and self.folder.flow.is_own(call, func, at):
+                if key[:1] == "." and len(key) > 1 and self.folder.flow.own.is_own(call, func, at):
                     yield from self._changed_of(key, invocation_of(call, Env(func, at)), Env(func, at))
 
     def _by_pointers(self, func: Func) -> Iterator[str]:
@@ -229,7 +229,7 @@ class MethodEffects:
 
     def _called(self, func: Func, this: Cls | None) -> set[Func] | None:
         """The methods that a method calls on its object; None where somebody else may change that meanwhile."""
-        table = calls_of(func.file.language)
+        table, own = calls_of(func.file.language), self.folder.flow.own
         made = Instance(this, {}, {}) if this is not None else None
         found: set[Func] = set()
         for at, calls in enumerate(func.calls):
@@ -237,7 +237,7 @@ class MethodEffects:
             for call in calls:
                 if table.waits(call) or self._hands_itself(call, func):
                     return None
-                if self.folder.flow.is_own(call, place.func, place.at) and self.folder.flow.reaches_object(call, place):
+                if own.is_own(call, place.func, place.at) and own.reaches_object(call, place):
                     known = self._runs(call, place)
                     if known is None:
                         return None
@@ -251,7 +251,7 @@ class MethodEffects:
 
     def _runs(self, call: Call, place: Env) -> set[Func] | None:
         """The method that a call on the object at hand runs, none for one outside of the tree; None: nobody knows."""
-        if self.folder.flow.hands_on(call, place):
+        if self.folder.flow.own.hands_on(call, place):
             given = self._is_given(call, place) and self._given.changed(call, place.func, place.this)
             return set() if isinstance(given, Set) else None
         found = invocation_of(call, place)

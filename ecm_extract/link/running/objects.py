@@ -28,7 +28,7 @@ from ecm_extract.link.running.early_binding import early_bound
 from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
 from ecm_extract.link.running.makers import makers_of
-from ecm_extract.link.running.named_classes import class_asked
+from ecm_extract.link.running.named_classes import class_asked, class_at_hand, class_cast_to, is_cast
 from ecm_extract.link.running.pair_types import type_in_pair
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.shipped import shipped_names
@@ -123,7 +123,8 @@ class Objects:
         holder = self.scope.holding(name, env.func) or env.func
         around = env if holder is env.func else Env(holder, this=env.this, depth=env.depth + 1)
         body, places = holder.fact.body, self.scope.locals_of(holder).get(name, ())
-        given = [at for at in places if at < around.at and body[at].value is not None]
+        seen = self.scope.declaration(name, holder, around) or 0
+        given = [at for at in places if seen <= at < around.at and body[at].value is not None]
         for at in reversed(given):
             value = body[at].value
             written = self.type_of(value, around.before(at)) if value is not None else ""
@@ -156,7 +157,8 @@ class Objects:
                 return "ros::NodeHandle"
             if self._is_type(last, env.func.file):
                 return expr.callee.id
-            return self._static_type(expr.callee.id, env) or self._returned(expr.callee.id, env.func.file)
+            own = self._returned_by(env.this or env.func.cls, last) if last == expr.callee.id else ""
+            return own or self._static_type(expr.callee.id, env) or self._returned(expr.callee.id, env.func.file)
         dotted = dotted_name(expr.callee)
         if dotted and env.func.file.language == "python":
             return dotted
@@ -314,9 +316,11 @@ class Objects:
         if is_super(call.receiver) and own is not None:
             return self._methods_of_base(call, own, env.this or own)
         named = class_asked(call, self.program)
+        if is_cast(call):
+            return self.methods(call, named or class_cast_to(call, env, self.scope))
         if call.receiver is not None:
             return self.methods(call, named or self.class_of(call.receiver, env.before(env.at)))
-        return self.methods(call, named or self._class_at_hand(call, env)) or self._free(call, env)
+        return self.methods(call, named or class_at_hand(call, env, self.program)) or self._free(call, env)
 
     def _methods_of_base(self, call: Invocation, own: Cls, this: Cls) -> Sequence[Func]:
         """`super().name()` means that of the next class of the object, `Base.name(self)` that of the named one."""
@@ -326,16 +330,6 @@ class Objects:
         named = self.program.class_named(plain(written.value), call.func.file, call.func.scope)
         found = self.methods(call, named)
         return [func for func in found if "static" not in func.fact.traits]  # that is given the object in its place
-
-    def _class_at_hand(self, call: Invocation, env: Env) -> Cls | None:
-        """`Base::name()` means that of the base, whatever a derived class has, `library::name()` none of them."""
-        owner = env.this or env.func.cls
-        qualifier = last_name(call.path.rpartition("::")[0])
-        if env.func.file.language == "python" and env.func.fact.name != "<module>":
-            return None  # a bare name in a function of Python means no method, whatever the class has
-        if not qualifier or owner is None:
-            return owner
-        return next((entry for entry in self.program.ancestry(owner) if entry.fact.name == qualifier), None)
 
     def methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
         """Return the methods of an object's class, or else of its nearest base, that fit a call."""

@@ -23,6 +23,7 @@ from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.running.base_types import BaseTypes
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.visible_variables import VisibleVariables
 
 _FLAGS: Final = {"store_true": "false", "store_false": "true"}
 
@@ -49,6 +50,7 @@ class Scope:
         self.program = program
         self.nesting = Nesting(program)
         self.base_types = BaseTypes(program)
+        self.visible = VisibleVariables()
         self.ways: Callable[[Expr, Env], Sequence[Sequence[Held]]] = _nothing
         self._locals: dict[Func, dict[str, list[int]]] = {}
         self._options: dict[tuple[File, str], Expr] | None = None
@@ -86,7 +88,7 @@ class Scope:
     def declared_type(self, name: str, env: Env) -> str:
         """Return the written type of a variable at a place: local, parameter, member, constant; empty when unknown."""
         holder = self.holding(name, env.func)
-        written = self._written_type(name, holder) if holder is not None else ""
+        written = self._written_type(name, holder, env) if holder is not None else ""
         return written or self.member_type(name, env.this or env.func.cls)
 
     def holding(self, name: str, func: Func) -> Func | None:
@@ -94,9 +96,18 @@ class Scope:
         around = (func, *self.nesting.around(func))
         return next((each for each in around if name in self.locals_of(each) or name in each.given), None)
 
-    def _written_type(self, name: str, func: Func) -> str:
-        body = func.fact.body
-        lets = [body[at].type for at in self.locals_of(func).get(name, ()) if body[at].kind == "let" and body[at].type]
+    def declaration(self, name: str, func: Func, env: Env) -> int | None:
+        """Return the statement that declares a variable of C++, of several in blocks of a function the one seen."""
+        body, places = func.fact.body, self.locals_of(func).get(name, ())
+        lets = [at for at in places if body[at].kind in {"let", "each"}]
+        if len(lets) < 2 or func is not env.func or func.file.language != "cpp":
+            return None
+        return self.visible.declared(func, lets, env.at)
+
+    def _written_type(self, name: str, func: Func, env: Env) -> str:
+        body, places = func.fact.body, self.locals_of(func).get(name, ())
+        seen = self.declaration(name, func, env)
+        lets = [body[at].type for at in places if body[at].kind == "let" and body[at].type and seen in {None, at}]
         given = [parameter.type for parameter in func.fact.params if parameter.name == name]
         return next((written for written in lets if plain(written) != "auto"), next(iter(given), ""))
 

@@ -10,6 +10,7 @@ from ecm_extract.link.index.implied_makers import settle_implied_makers
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.index.wrapped import settle_wrapped
 from ecm_extract.link.running.bound_methods import settle_bound_methods
+from ecm_extract.link.running.cast_objects import settle_casts
 from ecm_extract.link.running.in_order import settle_order
 from ecm_extract.link.running.members_of_bases import settle_members_of_bases
 from ecm_extract.link.running.objects import Objects
@@ -17,9 +18,10 @@ from ecm_extract.link.running.scope import Scope
 
 
 def settle(program: Program) -> None:
-    """Read members of several classes, calls by pointers to methods, contexts, and what stands around functions."""
+    """Read members of casts and of several classes, pointers to methods, contexts, what stands around functions."""
     for file in program.files:
         file.returned = partial(_returned, program, file)
+    settle_casts(program)
     settle_implied_makers(program)
     settle_members_of_bases(program)
     settle_bound_methods(Objects(program, Scope(program)))

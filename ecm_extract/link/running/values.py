@@ -102,6 +102,8 @@ class Value(NamedTuple):
 
 TOO_MANY = Value((Hole("one of many"),), "pattern")
 """Stands for values beyond `MAX_ALTERNATIVES`."""
+TOO_DEEP = Value((Hole("too deep a value"),), "pattern")
+"""Stands for what lies behind more functions, branches or objects than are followed."""
 
 
 def literal(text: str) -> Value:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_arrays import array_value, characters, extents
+from ecm_parsers.source.cpp_cast_objects import cast_class
 from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_invoking import perhaps_invoked
@@ -52,6 +53,7 @@ class Binding:
             return
         bound = declarator.child_by_field_name("declarator") or declarator
         target = self.bound(bound)
+        self.expr.brought.hide(each.id for each in _bound_names(target))
         if isinstance(target, Items):
             written = self.expr.type_text(kind) + _MARKS.get(bound.type, "")
             self.writer.add("let", declarator, self._initial(kind, value), target, written)
@@ -69,7 +71,8 @@ class Binding:
         array = array_value(self.expr, kind, bound, value) if value is not None else None
         read = array if array is not None else self._initial(kind, value)
         qualifier = _qualifier(self.expr, declaration)
-        written = qualifier + self.expr.type_text(kind) + _MARKS.get(bound.type, "") + extents(array_of)
+        named = cast_class(self.expr, kind, value) or self.expr.type_text(kind)
+        written = qualifier + named + _MARKS.get(bound.type, "") + extents(array_of)
         kept = not qualifier and _is_static(self.expr, declaration)
         self.writer.add("let", declarator, read, Name(name), written, kept)
 
@@ -77,6 +80,7 @@ class Binding:
         """Read what a loop binds in each round, and return the index of that statement."""
         kind = loop.child_by_field_name("type")
         value = self.expr.read(over)
+        self.expr.brought.hide(each.id for each in _bound_names(self.bound(declarator)))
         mark = _MARKS.get(declarator.type, "")
         written = self._written(loop, kind, declarator) + mark if kind is not None else ""
         return self.writer.apart(loop, value, self.bound(declarator), written)
@@ -137,6 +141,12 @@ class Binding:
         """The call that makes an object of a type."""
         made = Call(Name(self.expr.name(kind)), args, (), self.expr.template_arguments(kind), line_of(kind))
         return self.expr.made(made)
+
+
+def _bound_names(target: Expr) -> tuple[Name, ...]:
+    """The variables that a declarator declares."""
+    items = target.items if isinstance(target, Items) else (target,)
+    return tuple([each for each in items if isinstance(each, Name)])
 
 
 def _is_own_object(value: Node, bound: Node) -> bool:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from ecm_parsers.source.cpp_algorithms import rounds_of
 from ecm_parsers.source.cpp_assigning import Assigning
 from ecm_parsers.source.cpp_binding import Binding
+from ecm_parsers.source.cpp_brought import Brought, is_directive, names_used
 from ecm_parsers.source.cpp_captures import Captures, capturing
+from ecm_parsers.source.cpp_cases import CaseNodes, cases_of
 from ecm_parsers.source.cpp_changes import Changes
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
@@ -28,8 +30,17 @@ if TYPE_CHECKING:
 MAX_NESTING = 200
 RETURNED = "<returned>"
 """Name of a lambda that a function returns."""
-_BLOCKS = frozenset({"compound_statement", "else_clause", "case_statement", "labeled_statement", "ERROR"})
+_BLOCKS = frozenset({"compound_statement", "else_clause", "case_statement", "labeled_statement", "ERROR"}) | {
+    "attributed_statement"
+}
 _TRUE = Constant("true")
+
+
+class LocalName(NamedTuple):
+    """Another way to name something within a function, and the scope of that."""
+
+    node: Node
+    scope: str
 
 
 class BodyReader:
@@ -39,7 +50,8 @@ class BodyReader:
         writer: what was read so far, in source order, and how it follows each other.
         functions: lambdas that are read as functions of their own.
         declared: the functions of the file.
-        local_names: `using A = B`, `using namespace a` and the like; whoever reads declarations reads them.
+        local_names: `using A = B`, `using namespace a` and the like, those of lambdas included; whoever reads
+            declarations reads them.
     """
 
     def __init__(self, data: bytes, scope: str, declared: DeclaredFunctions) -> None:
@@ -50,7 +62,7 @@ class BodyReader:
         self.scope = scope
         self.declared = declared
         self.functions: list[Function] = []
-        self.local_names: list[Node] = []
+        self.local_names: list[LocalName] = []
         self._binding = Binding(self.expr, self.writer, self._named_lambda)
         self._assigning = Assigning(self.expr, self.writer, self._binding.buffers)
         self._loops = Loops(self, self._assigning, self._binding)
@@ -87,7 +99,10 @@ class BodyReader:
                 self._assigning.expression(child)
 
     def _local_name(self, node: Node) -> None:
-        self.local_names.append(node)
+        self.local_names.append(LocalName(node, self.scope))
+        if node.type == "using_declaration" and not is_directive(node):
+            for whole in (name for name in names_used(self.expr, node) if "::" in name):
+                self.expr.brought.take(whole)
 
     def initializers(self, node: Node) -> None:
         """Read a constructor's initialiser list."""
@@ -99,10 +114,11 @@ class BodyReader:
         """Read statements as a block of their own and return their flow."""
         self.writer.begin()
         self.writer.depth += deeper
-        for node in nodes:
-            if node is not None:
-                self._entering = node.type == "compound_statement"
-                self.read(node)
+        with self.expr.brought.block():
+            for node in nodes:
+                if node is not None:
+                    self._entering = node.type == "compound_statement"
+                    self.read(node)
         self._entering = False
         self.writer.depth -= deeper
         return self.writer.end()
@@ -144,17 +160,13 @@ class BodyReader:
         subject = self.condition(node.child_by_field_name("condition"))
         body = node.child_by_field_name("body")
         self.writer.depth += 1
-        cases = [self._case(child) for child in body.named_children] if body is not None else []
+        cases = [self._case(case) for case in cases_of(body)] if body is not None else []
         self.writer.depth -= 1
-        self.writer.step(Switch(subject, tuple([case for case in cases if case is not None]), True))
+        self.writer.step(Switch(subject, tuple(cases), True))
 
-    def _case(self, node: Node) -> Case | None:
-        if node.type != "case_statement":
-            return None
-        value = node.child_by_field_name("value")
-        rest = [child for child in node.named_children if child != value]
-        tests = (self.expr.read(value),) if value is not None else ()
-        return Case(tests, self.inner(*rest, deeper=0))
+    def _case(self, case: CaseNodes) -> Case:
+        tests = (self.expr.read(case.value),) if case.value is not None else ()
+        return Case(tests, self.inner(*case.statements, deeper=0))
 
     def _try(self, node: Node) -> None:
         clauses = [child for child in node.named_children if child.type == "catch_clause"]
@@ -231,12 +243,16 @@ class BodyReader:
         held = self._held_captures(name, node)
         inner = BodyReader(self.expr.data, f"{self.scope}::{name}", self.declared)
         inner._nesting = self._nesting
+        inner.expr.brought = Brought(self.expr.brought)
+        given = lambda_parameters(self.expr, node)
+        inner.expr.brought.hide(parameter.name for parameter in given)
         if body is not None:
             inner.read(body)
+        self.local_names += inner.local_names
         made = Function(
             name,
             self.scope,
-            lambda_parameters(self.expr, node),
+            given,
             "",
             line_of(node),
             node.end_point[0] + 1,
@@ -265,7 +281,8 @@ class BodyReader:
         names = (*given, *self._captured(node))
         around, self._loops.round = self._loops.round, None
         self.writer.lambdas += 1
-        self.writer.step(Later(self.inner(node.child_by_field_name("body")), names))
+        with self.expr.brought.block(given):
+            self.writer.step(Later(self.inner(node.child_by_field_name("body")), names))
         self.writer.lambdas -= 1
         self._loops.round = around
 

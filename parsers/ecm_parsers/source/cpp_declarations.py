@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from ecm_parsers.source.cpp_arrays import array_value
 from ecm_parsers.source.cpp_body import BodyReader
+from ecm_parsers.source.cpp_brought import holds_partly, is_directive, names_used
 from ecm_parsers.source.cpp_containers import given, holds_several
 from ecm_parsers.source.cpp_declarators import (
     GROUPS,
@@ -189,7 +192,7 @@ class DeclarationReader:
         if body is not None:
             read.read(body)
         for local in read.local_names:
-            self._local_name(local, Place(f"{read.scope}()"))
+            self._local_name(local.node, Place(f"{local.scope}()"))
         params = parameters(self.expr, declarator.child_by_field_name("parameters"))
         traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
         specializes = specialized(self.expr, named) if place.written == () else None
@@ -238,11 +241,14 @@ class DeclarationReader:
 
     def _local_name(self, node: Node, place: Place) -> None:
         """Another way to name something within a function; the scope with `()` keeps it from being one for others."""
-        kind = node.child_by_field_name("type")
+        kind, known = node.child_by_field_name("type"), (len(self.aliases), len(self.usings))
         if node.type != "type_definition":
             _DECLARATIONS[node.type](self, node, place)
         elif kind is not None and kind.type not in CLASSES | {"enum_specifier"}:
             self.typedef(node, place)
+        if holds_partly(node):
+            self.aliases[known[0] :] = [replace(each, partly=True) for each in self.aliases[known[0] :]]
+            self.usings[known[1] :] = [replace(each, partly=True) for each in self.usings[known[1] :]]
 
     def typedef(self, node: Node, place: Place) -> None:
         """`typedef B A`."""
@@ -263,9 +269,8 @@ class DeclarationReader:
 
     def using(self, node: Node, place: Place) -> None:
         """`using namespace a` and `using a::B`."""
-        for child in node.named_children:
-            name = self.expr.name(child)
-            if "namespace" in self.expr.text(node).split():
+        for name in names_used(self.expr, node):
+            if is_directive(node):
                 self.usings.append(Using(name, place.scope))
             elif "::" in name:
                 self.aliases.append(Alias(name.rsplit("::", 1)[1], place.scope, name, lines_of(node)[0]))

@@ -11,6 +11,8 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from ecm_parsers.numbers import truncated
+from ecm_parsers.source.cpp_brought import Brought
+from ecm_parsers.source.cpp_cast_objects import object_cast
 from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_invoking import gets_values, invoked, invoked_by_element
@@ -54,7 +56,7 @@ class ExprReader:
         inline: called with each lambda that has a body, on the way.
         called: called with each lambda that is called where it stands; gives the function that it is read as.
         handed: called with every other one; gives what it is where it is read as a function as well.
-        own: variables that are the object at hand by another name.
+        own: variables that are the object at hand by another name. brought: names that blocks take from namespaces.
         moved, invoked: variables that were moved from, and what calls make somebody call, since somebody emptied them.
         changed: called with what changes a variable; gives what the expression gets, None for no change within one.
     """
@@ -73,6 +75,7 @@ class ExprReader:
         self.handed = handed
         self.changed = changed
         self.own: set[str] = set()
+        self.brought = Brought()
         self.moved: list[Name] = []
         self.invoked: list[Call] = []
         self._depth = 0
@@ -157,14 +160,14 @@ _TEMPLATED = frozenset({"template_function", "template_type", "template_method"}
 
 def _name(reader: ExprReader, node: Node) -> Expr:
     name = reader.name(node)
-    return Name("this" if name in reader.own else name)
+    return Name("this" if name in reader.own else reader.brought.meant(name))
 
 
 def _field(reader: ExprReader, node: Node) -> Expr:
     base, field = node.child_by_field_name("argument"), node.child_by_field_name("field")
     if base is None or field is None:
         return Opaque(reader.text(node)[:80])
-    return Member(reader.read(base), reader.name(field))
+    return Member(object_cast(reader, base), reader.name(field))
 
 
 def _call(reader: ExprReader, node: Node) -> Expr:

@@ -139,5 +139,8 @@ Expr: TypeAlias = (
 THIS: Final = Name("this")
 """The object at hand of a method, in either language."""
 
+CAST: Final = Name("static_cast")
+"""What C++ calls to have an object as another class, where a member of that is named; `link` tells what it means."""
+
 MOVED: Final = Opaque("std::move")
 """What a variable of C++ holds that was moved from: nobody knows; a number or a pointer is what it was."""

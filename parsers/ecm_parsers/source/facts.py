@@ -140,7 +140,7 @@ class Constant(_Fact, frozen=True):
 class Alias(_Fact, frozen=True):
     """`using A = B`, `typedef B A`, `namespace A = B`; the scope of one within a function ends in `()`.
 
-    `deprecated` when an attribute says so.
+    `deprecated` when an attribute says so; `partly` as for `Using`.
     """
 
     name: str
@@ -148,6 +148,7 @@ class Alias(_Fact, frozen=True):
     target: str
     line: int
     deprecated: bool = False
+    partly: bool = False
 
     @property
     def local(self) -> bool:
@@ -170,10 +171,14 @@ class Import(_Fact, frozen=True):
 
 
 class Using(_Fact, frozen=True):
-    """`using namespace a` in a scope; that of one within a function ends in `()`."""
+    """`using namespace a` in a scope; that of one within a function ends in `()`.
+
+    `partly`: whether a part of the function does not have it: it stands in a block, or behind a statement.
+    """
 
     namespace: str
     scope: str = ""
+    partly: bool = False
 
     @property
     def where(self) -> str:
