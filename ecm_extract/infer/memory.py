@@ -260,10 +260,10 @@ class Memory:
         return found
 
     def _refer(self, let: Statement) -> None:
-        """Note a reference of C++, or a pointer, declared among steps which may run again, or a loop of Python."""
-        if let.kind == "each" and self.frame.python:
+        """Note a reference of C++, a pointer, or a variable of a loop, declared among steps which may run again."""
+        if let.kind == "each":
             self.sharing.enter(let)
-        if refers(let) and not self.frame.python:
+        elif refers(let) and not self.frame.python:
             effects, value = self.frame.effects, let.value
             whole = effects.key(value) if not is_address(value) else ""
             self.sharing.refer(effects.key(let.target), effects.root(value), whole)
