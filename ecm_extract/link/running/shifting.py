@@ -53,9 +53,13 @@ class Shifting:
         changes = self._changed(name, cls)
         if len(changes) > 1 or self.folder.python_fields.any_is_given(cls):
             return True
-        if changes and self._is_begun(name, cls):
+        if any(not self._is_of_making(method, at) for method, at in changes) and self._is_begun(name, cls):
             return True
         return any(not self._is_first(f".{name}", method, at) for method, at in changes)
+
+    def _is_of_making(self, method: Func, at: int) -> bool:
+        """Whether a statement is taken whenever an object is made."""
+        return method.is_constructor and at in self.folder.flow.outline(method).certain
 
     def _is_begun(self, name: str, cls: Cls) -> bool:
         """Whether objects of Python have a member by their class before any method gives it something."""
