@@ -58,8 +58,9 @@ class Shifting:
         return any(not self._is_first(f".{name}", method, at) for method, at in changes)
 
     def _is_of_making(self, method: Func, at: int) -> bool:
-        """Whether a statement is taken whenever an object is made."""
-        return method.is_constructor and at in self.folder.flow.outline(method).certain
+        """Whether a statement is taken whenever an object is made, before anybody is called."""
+        certain = method.is_constructor and at in self.folder.flow.outline(method).certain
+        return certain and not any(method.calls[:at])
 
     def _is_begun(self, name: str, cls: Cls) -> bool:
         """Whether objects of Python have a member by their class before any method gives it something."""
