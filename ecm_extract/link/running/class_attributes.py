@@ -139,7 +139,10 @@ def _used(expr: Expr | None) -> Iterator[str]:
             yield each.id
         elif isinstance(each, Member):
             yield each.name
-            pending += [] if isinstance(each.base, Name) else [each.base]
+            base = each.base
+            while isinstance(base, Member):  # what is asked for an attribute is only asked, by whatever name
+                base = base.base
+            pending += [] if isinstance(base, Name) else [base]
         elif isinstance(each, Call):
             pending += _within_call(each)
         else:
