@@ -89,8 +89,7 @@ class ClassAttributes:
     @cached_property
     def _values(self) -> Set[str]:
         """The names of classes that somebody uses otherwise than to make an object, or to ask for an attribute."""
-        bodies = (statement for func in self._functions for statement in func.fact.body)
-        found = {name for entry in bodies for expr in (entry.value, entry.target) for name in _used(expr)}
+        found = {name for func in self._functions for name in _used_by(func)}
         return found & self.program.classes.keys()
 
 
@@ -128,6 +127,16 @@ def _set_by(call: Call, func: Func) -> Iterator[_Given]:
 
 def _owner(expr: Expr) -> str:
     return "cls" if expr == THIS else last_of(expr.callee if isinstance(expr, Call) else expr)
+
+
+def _used_by(func: Func) -> Set[str]:
+    """The names that a function uses as values and that are none of its own variables."""
+    statements = func.fact.body
+    found = {name for entry in statements for expr in (entry.value, entry.target) for name in _used(expr)}
+    if func.fact.name == "<module>":
+        return found
+    targets = {entry.target.id for entry in statements if isinstance(entry.target, Name)}
+    return found - targets - {param.name for param in func.fact.params}
 
 
 def _used(expr: Expr | None) -> Iterator[str]:
