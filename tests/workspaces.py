@@ -33,7 +33,7 @@ class Workspace:
         return self
 
     def modules(self) -> dict[str, Contract]:
-        extraction = extract(open_tree(self.root), Options(jobs=1))
+        extraction = extract(open_tree(self.root), Options(jobs=1, cache=False))  # no tree is read twice
         assert not [entry for entry in extraction.diagnostics if entry.code == CODE]
         return {m.ecm.module_id: m for package in extraction.packages for m in package.modules}
 

@@ -193,16 +193,16 @@ def test_a_function_that_works_on_data_costs_the_others_nothing(
     workspace: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What one function may take is bounded and told, whatever it is handed; names elsewhere are computed as before."""
-    monkeypatch.setattr(steps, "MAX_FUNCTION", 6_000)
+    monkeypatch.setattr(steps, "MAX_FUNCTION", 1_500)
     asked = "".join(
-        f'        if self.work({size})[3] == 4:\n            rospy.Publisher("s{size}", String)\n' for size in range(40)
+        f'        if self.work({size})[3] == 4:\n            rospy.Publisher("s{size}", String)\n' for size in range(20)
     )
     workspace.package({"scripts/n.py": _DATA.format(asked=asked)}, ros=1)
     found = extract(open_tree(workspace.root), Options(jobs=1))
     interfaces = [
         each for package in found.packages for module in package.modules for each in module.signature.interfaces
     ]
-    assert {"/ab", "/s0", "/s39"} <= {entry.name for entry in interfaces}
+    assert {"/ab", "/s0", "/s19"} <= {entry.name for entry in interfaces}
     [told] = [entry for entry in found.diagnostics if entry.code == "function-left-out"]
     assert (told.line, told.message.split(",")[0]) == (5, "work takes too many steps to be followed to its end: values")
     assert [entry.reason for entry in found.unread] == ["unjudged"]
@@ -250,8 +250,9 @@ def test_tests_behind_tests_that_nothing_passes_end(workspace: Any) -> None:
     assert {"/a/live", "/b/live"} <= names
 
 
-def test_classes_that_chains_of_functions_give_end(workspace: Any) -> None:
+def test_classes_that_chains_of_functions_give_end(workspace: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """What each of eleven functions gives is what the next one gives, by any of six calls: a class that ends as open."""
+    monkeypatch.setattr(steps, "MAX_QUESTION", 300)
     calls = "".join(f"    if f({index}):\n        return kind{{0}}({index})\n" for index in range(6))
     chain = "".join(
         f"def kind{index}(at):\n{calls.format(index + 1)}    return kind{index + 1}(6)\n" for index in range(11)

@@ -12,7 +12,7 @@ def test_findings_do_not_depend_on_the_seed_of_hashes(apart: Path) -> None:
     """Fingerprints are committed to files: one cause must not have two of them."""
     program = [sys.executable, "-c", "from ecm_extract.cli import main; main()"]
     outputs = set()
-    for seed in ("1", "2", "3"):
+    for seed in ("1", "2"):
         arguments = ["lint", "--preview", str(apart), "--format", "json", "--fail-on", "never"]
         environment = {**os.environ, "PYTHONHASHSEED": seed}
         done = subprocess.run([*program, *arguments], capture_output=True, check=True, env=environment)
