@@ -12,6 +12,7 @@ from tree_sitter import Node
 
 from ecm_parsers.python_tree import (
     MAX_BYTES,
+    Reached,
     callee_name,
     fold,
     line_of,
@@ -20,13 +21,14 @@ from ecm_parsers.python_tree import (
     statements,
     text_of,
 )
-from ecm_parsers.python_values import PyCall, Unknown, Value, either, shown
+from ecm_parsers.python_values import PyCall, Unknown, Value, is_counted, shown
+from ecm_parsers.python_variables import TELLING, Variables
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
 
 _FIELDS = ("name", "paramtype", "level", "description", "default", "min", "max", "edit_method")
 _CONSTANT_FIELDS = ("name", "type", "value", "descr")
-_WANTED = frozenset({"assignment", "augmented_assignment", "call", "import_from_statement", "for_statement"})
+_WANTED = TELLING | {"import_from_statement", "for_statement"}
 _OWN_MODULES = frozenset({"dynamic_reconfigure", "math", "driver_base", "roslib", "os", "sys", "__future__"})
 _METHODS = frozenset({"add", "generate", "add_group", "const"})
 _MAX_ROUNDS = 1000
@@ -106,7 +108,7 @@ def parse_dynamic_reconfigure(data: bytes, path: str = "") -> Parsed[Reconfigure
     if root.has_error:
         message = "Parts of the file are not valid Python; parameters in them may be missing."
         reader.diagnostics.append(Diagnostic("warning", "cfg-syntax", 0, message))
-    reader.read(root)
+    reader.read(Reached(root, True))
     return Parsed(reader.facts(), tuple(reader.diagnostics))
 
 
@@ -115,7 +117,7 @@ class _Reader:
 
     def __init__(self, diagnostics: list[Diagnostic], path: str) -> None:
         self.diagnostics = diagnostics
-        self._names: dict[str, Value] = {"__file__": Value(path, 0)} if path else {}
+        self._variables = Variables({"__file__": Value(path, 0)} if path else {})
         self._groups: dict[str, tuple[str, ...]] = {}
         self._imports: dict[str, str] = {}
         self._parameters: list[ReconfigureParameter] = []
@@ -123,39 +125,41 @@ class _Reader:
         self._generate: tuple[PyCall, int] | None = None
         self._rounds = _MAX_ROUNDS
 
-    def read(self, root: Node, nested: int = 0) -> None:
+    def read(self, root: Reached, nested: int = 0) -> None:
         """Handle the imports, assignments, loops and calls below a node, those in a loop once for each round."""
         done = 0
-        for node, certain in statements(root, _WANTED, self._names, self.diagnostics):
+        for reached in statements(root, _WANTED, self._variables.names, self.diagnostics):
+            node = reached.node
             if node.start_byte < done:
                 continue
+            if node.type in TELLING:
+                self._variables.take(reached)
             if node.type == "import_from_statement":
                 self._import(node)
             elif node.type == "assignment":
-                self._assign(node, certain)
-            elif node.type == "augmented_assignment":
-                self._names.pop(_field_text(node, "left"), None)
+                self._group(node)
             elif node.type == "call":
                 self._call(node)
-            elif self._loops(node, nested):
+            elif node.type == "for_statement" and self._loops(reached, nested):
                 done = node.end_byte
 
-    def _loops(self, node: Node, nested: int) -> bool:
+    def _loops(self, loop: Reached, nested: int) -> bool:
         """Go through the rounds of a loop over what is written out; of any other one the variables are not known."""
+        node, known = loop.node, self._variables.names
         names = _targets(node.child_by_field_name("left"))
-        rounds = fold(node.child_by_field_name("right"), self._names).data
+        rounds = fold(node.child_by_field_name("right"), known).data
         body = node.child_by_field_name("body")
-        if not isinstance(rounds, tuple) or not all(_fits(item, names) for item in rounds):
+        if not isinstance(rounds, tuple) or not is_counted(rounds) or not all(_fits(item, names) for item in rounds):
             rounds = ()
         if not rounds or body is None or nested == _MAX_NESTED or len(rounds) > self._rounds:
             for name in names:
-                self._names.pop(name, None)
+                known.pop(name, None)
             return False
         self._rounds -= len(rounds)
         for item in rounds:
             given = item.data if len(names) > 1 and isinstance(item.data, tuple) else (item,)
-            self._names.update(zip(names, given, strict=False))
-            self.read(body, nested + 1)
+            known.update(zip(names, given, strict=False))
+            self.read(Reached(body, loop.certain), nested + 1)
         return True
 
     def facts(self) -> ReconfigureFile:
@@ -182,33 +186,29 @@ class _Reader:
             alias = _field_text(child, "alias") if child.type == "aliased_import" else name
             self._imports[alias] = module
 
-    def _assign(self, node: Node, certain: bool) -> None:
+    def _group(self, node: Node) -> None:
+        """Note a generator, or a group of one, that a variable holds."""
         target = _field_text(node, "left")
-        value = fold(node.child_by_field_name("right"), self._names)
-        if isinstance(value.data, PyCall):
-            method = value.data.name.rpartition(".")
-            if method[2] == "ParameterGenerator":
-                self._groups[target] = ()
-            elif method[2] == "add_group":
-                label = value.data.args[:1] or (value.data.keyword("name") or value,)
-                self._groups[target] = (*self._groups.get(method[0], ()), shown(label[0]))
-        if not certain:
-            self._names[target] = either(self._names.get(target), value, target)
-        elif not isinstance(value.data, Unknown):
-            self._names[target] = value
+        held = self._variables.names.get(target)
+        if held is None or not isinstance(held.data, PyCall):
+            return
+        owner, _, method = held.data.name.rpartition(".")
+        if method == "ParameterGenerator":
+            self._groups[target] = ()
+        elif method == "add_group":
+            label = held.data.args[:1] or (held.data.keyword("name") or held,)
+            self._groups[target] = (*self._groups.get(owner, ()), shown(label[0]))
 
     def _call(self, node: Node) -> None:
         owner, _, method = callee_name(node.child_by_field_name("function")).rpartition(".")
         if method in _METHODS and owner:
-            call = read_call(node, self._names)
+            call = read_call(node, self._variables.names)
             if method == "add":
                 self._add(call, self._groups.get(owner, ()), line_of(node))
             elif method == "generate" and len(call.args) >= 3:
                 self._generate = (call, line_of(node))
         elif method in self._imports:
             self._include(node, method)
-        elif owner:
-            self._names.pop(owner, None)  # `rows.append(...)` makes something else of it
 
     def _include(self, node: Node, name: str) -> None:
         """Note a call `function(gen)` of an imported function."""

@@ -7,12 +7,15 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Mapping, Sequence
+from itertools import chain
 from types import MappingProxyType
 from typing import Any
 
-from ecm_parsers.python_values import Data, Names, PyCall, Table, Value
+from ecm_parsers.python_values import Data, Names, PyCall, Table, Value, is_counted, with_more
 
 MAX_ITEMS = 1_000
+_LEAVING = frozenset({"get", "keys", "values", "items", "copy", "index", "count"})
+"""Methods of lists and dictionaries that leave them as they are: docs.python.org, Sequence and Mapping Types."""
 _COMPARING: Mapping[str, Callable[[Any, Any], bool]] = MappingProxyType(
     {
         "==": operator.eq,
@@ -41,12 +44,56 @@ def called(call: PyCall, names: Names) -> Data:
     return function(call.args) if function is not None and not call.keywords and call.name not in names else None
 
 
+def changed_by(method: str, held: Value, call: PyCall) -> Value | None:
+    """Return what a variable holds after a method of it was called: `rows.append(x)`, `table.update(other)`.
+
+    Args:
+        method: the method.
+        held: what the variable held.
+        call: the call.
+
+    Returns:
+        The same where the method only reads; None where it is not known any more.
+    """
+    if method in _LEAVING or not isinstance(held.data, tuple | Table):
+        return held
+    change = _CHANGING.get((type(held.data), method))
+    data = change(held.data, call) if change is not None else None
+    return None if data is None else Value(data, held.line)
+
+
+def _appended(items: tuple[Value, ...], call: PyCall) -> Data:
+    return (*items, *call.args[:1])[:MAX_ITEMS]
+
+
+def _extended(items: tuple[Value, ...], call: PyCall) -> Data:
+    return with_more(items, call.args[0]) if call.args else None
+
+
+def _updated(table: Table, call: PyCall) -> Data:
+    tables = [each.data.entries for each in call.args if isinstance(each.data, Table)]
+    if len(tables) < len(call.args) or any(key == "**" for key, _ in call.keywords):
+        return None
+    named = tuple([(Value(key, value.line), value) for key, value in call.keywords])
+    return Table((*table.entries, *chain.from_iterable(tables), *named)[:MAX_ITEMS])
+
+
 def element(owner: Value, key: Value) -> Value | None:
-    """Return an element of a list, a tuple or a table."""
+    """Return an element of a list, a tuple or a table; of several entries of one key the last."""
     if isinstance(owner.data, Table):
-        return next((value for each, value in owner.data.entries if _same(each, key)), None)
+        for each, value in reversed(owner.data.entries):
+            if not _is_plain(each):
+                return None
+            if _same(each, key):
+                return value
+        return None
     at = key.data
-    if not isinstance(owner.data, tuple) or not isinstance(at, int) or isinstance(at, bool):
+    if (
+        not isinstance(owner.data, tuple)
+        or not isinstance(at, int)
+        or isinstance(at, bool)
+        or not is_counted(owner.data)
+    ):
         return None
     return owner.data[at] if -len(owner.data) <= at < len(owner.data) else None
 
@@ -86,13 +133,13 @@ def _range(args: Sequence[Value]) -> Data:
 
 def _enumerate(args: Sequence[Value]) -> Data:
     items = args[0].data if len(args) == 1 else None
-    if not isinstance(items, tuple):
+    if not isinstance(items, tuple) or not is_counted(items):
         return None
     return tuple([Value((Value(at, item.line), item), item.line) for at, item in enumerate(items)])
 
 
 def _zip(args: Sequence[Value]) -> Data:
-    lists = [each.data for each in args if isinstance(each.data, tuple)]
+    lists = [each.data for each in args if isinstance(each.data, tuple) and is_counted(each.data)]
     if not lists or len(lists) != len(args):
         return None
     return tuple([Value(tuple(row), row[0].line) for row in zip(*lists, strict=False)])
@@ -100,7 +147,12 @@ def _zip(args: Sequence[Value]) -> Data:
 
 def _len(args: Sequence[Value]) -> Data:
     data = args[0].data if len(args) == 1 else None
-    return len(data) if isinstance(data, tuple) else len(data.entries) if isinstance(data, Table) else None
+    items = _keys(data) if isinstance(data, Table) else data
+    if not isinstance(items, tuple) or not is_counted(items):
+        return None
+    if isinstance(data, Table):
+        return len({each.data for each in items}) if all(map(_is_plain, items)) else None
+    return len(items)
 
 
 def _list(args: Sequence[Value]) -> Data:
@@ -120,6 +172,9 @@ def _values(table: Table) -> Data:
     return tuple([value for _, value in table.entries])
 
 
+_CHANGING: Mapping[tuple[type, str], Callable[[Any, PyCall], Data]] = MappingProxyType(
+    {(tuple, "append"): _appended, (tuple, "extend"): _extended, (Table, "update"): _updated}
+)
 _FUNCTIONS: Mapping[str, Callable[[Sequence[Value]], Data]] = MappingProxyType(
     {"range": _range, "enumerate": _enumerate, "zip": _zip, "len": _len, "list": _list, "tuple": _list}
 )

@@ -9,8 +9,9 @@ import msgspec
 from tree_sitter import Node
 
 from ecm_parsers.python_setup_facts import DataFiles, EntryPoint, PythonSetup, entry_point
-from ecm_parsers.python_tree import MAX_BYTES, callee_name, fold, parse_python, read_call, statements, text_of
-from ecm_parsers.python_values import PyCall, Table, Value, either, shown
+from ecm_parsers.python_tree import MAX_BYTES, Reached, callee_name, parse_python, read_call, statements, text_of
+from ecm_parsers.python_values import PyCall, Table, Value, shown
+from ecm_parsers.python_variables import TELLING, Variables
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
 
@@ -20,10 +21,7 @@ _FINDERS = frozenset({"find_packages", "find_namespace_packages"})
 _READ_CALLS = _SETUP_CALLS | {_PARAMETER_MODULE}
 _MAKING = frozenset({"ext_modules", "cffi_modules", "rust_extensions"})
 """Keywords of setuptools, cffi and setuptools_rust for modules that are compiled."""
-_WANTED = frozenset({"assignment", "call"})
 _Keywords = dict[str, Value]
-MAX_ENTRIES = 200
-"""Entries of one dictionary that are set one by one."""
 
 
 def parse_setup_py(data: bytes) -> Parsed[PythonSetup]:
@@ -79,43 +77,30 @@ class _Calls(msgspec.Struct):
 
 def _calls(text: str, diagnostics: list[Diagnostic]) -> _Calls:
     """Read the calls that tell of the package, the names before them folded."""
-    names: dict[str, Value] = {}
+    variables = Variables()
     found = _Calls()
-    for node, certain in statements(parse_python(text), _WANTED, names, diagnostics):
+    for reached in statements(Reached(parse_python(text), True), TELLING, variables.names, diagnostics):
+        node = reached.node
+        variables.take(reached)
         if node.type == "assignment":
-            target = node.child_by_field_name("left")
-            value = fold(node.child_by_field_name("right"), names)
-            if target is not None:
-                name = text_of(target)[:200]
-                names[name] = either(names.get(name), value, name) if not certain else value
-                _set_entry(target, value, names)
-        elif callee_name(node.child_by_field_name("function")).rpartition(".")[2] in _READ_CALLS:
-            found.add(read_call(node, names), node.start_point[0] + 1, diagnostics)
+            _tell_table(node, variables)
+        elif node.type == "call" and _is_read(node):
+            found.add(read_call(node, variables.names), node.start_point[0] + 1, diagnostics)
     return found
 
 
-def _set_entry(target: Node, value: Value, names: dict[str, Value]) -> None:
-    """`d["packages"] = [...]`: what a variable holds that is handed on as `**d`, a dictionary or what catkin gives."""
-    whole, keys = target.child_by_field_name("value"), target.children_by_field_name("subscript")
-    if target.type != "subscript" or whole is None or whole.type != "identifier" or len(keys) != 1:
-        return
-    held = names.get(text_of(whole)[:200])
-    key = fold(keys[0], names)
-    if held is None or not isinstance(key.data, str):
-        return
-    entries = _entries_of(held)
-    kept = tuple(entry for entry in entries if entry[0].data != key.data)
-    if len(kept) < MAX_ENTRIES:
-        names[text_of(whole)[:200]] = Value(Table((*kept, (key, value))), held.line)
+def _is_read(call: Node) -> bool:
+    return callee_name(call.child_by_field_name("function")).rpartition(".")[2] in _READ_CALLS
 
 
-def _entries_of(held: Value) -> tuple[tuple[Value, Value], ...]:
-    """The entries of a dictionary, or of the one that a call of catkin returns, as far as they are known."""
-    if isinstance(held.data, Table):
-        return held.data.entries
-    if isinstance(held.data, PyCall) and held.data.name.rpartition(".")[2] in _SETUP_CALLS:
-        return tuple((Value(name, held.line), value) for name, value in _spread(held.data).items())
-    return ()
+def _tell_table(assignment: Node, variables: Variables) -> None:
+    """`d = generate_distutils_setup(...)` of catkin gives a dictionary of what it gets."""
+    left = assignment.child_by_field_name("left")
+    target = text_of(left) if left is not None else ""
+    made = variables.names.get(target)
+    if made is not None and isinstance(made.data, PyCall) and made.data.name.rpartition(".")[2] in _SETUP_CALLS:
+        entries = tuple((Value(name, made.line), value) for name, value in _spread(made.data).items())
+        variables.give(target, Value(Table(entries), made.line), True)
 
 
 def _spread(call: PyCall) -> _Keywords:

@@ -37,6 +37,10 @@ MAX_NODES = 100_000
 MAX_STATEMENTS = 4_000
 MAX_SHOWN = 2_000
 _LANGUAGE = Language(tree_sitter_python.language())
+_PERHAPS = frozenset(
+    {"function_definition", "lambda", "class_definition", "for_statement", "while_statement", "except_clause"}
+)
+"""What is taken any number of times, or has variables of its own."""
 _PI = frozenset({"pi", "math.pi", "numpy.pi", "np.pi"})
 """docs.python.org and numpy.org: constants of `math` and `numpy`, as files import them."""
 _ESCAPES = {"\\\n": "", "\\n": "\n", "\\t": "\t", "\\\\": "\\", "\\'": "'", '\\"': '"', "\\r": "\r"}
@@ -55,12 +59,12 @@ class Reached(NamedTuple):
     certain: bool
 
 
-def statements(root: Node, wanted: frozenset[str], names: Names, diagnostics: list[Diagnostic]) -> Iterator[Reached]:
+def statements(root: Reached, wanted: frozenset[str], names: Names, diagnostics: list[Diagnostic]) -> Iterator[Reached]:
     """Yield the nodes of the wanted kinds in the order of the text, within bounds, without recursion.
 
     A branch that `names` decides, as they are when it is reached, is followed on the side that is taken only.
     """
-    stack = [Reached(root, True)]
+    stack = [root]
     found = 0
     for _ in range(MAX_NODES):
         if not stack or found == MAX_STATEMENTS:
@@ -78,7 +82,8 @@ def statements(root: Node, wanted: frozenset[str], names: Names, diagnostics: li
 def _below(here: Reached, names: Names) -> list[Reached]:
     """What is reached below a node: of a branch the sides that may be taken."""
     if here.node.type != "if_statement":
-        return [Reached(child, here.certain) for child in here.node.named_children]
+        certain = here.certain and here.node.type not in _PERHAPS
+        return [Reached(child, certain) for child in here.node.named_children]
     sides = [here.node, *here.node.children_by_field_name("alternative")]
     for at, side in enumerate(sides):
         condition = side.child_by_field_name("condition")

@@ -61,12 +61,30 @@ def truth(value: Value) -> bool | None:
     data = value.data
     if isinstance(data, Unknown | PyCall) or (isinstance(data, str) and "{" in data):
         return None
+    if isinstance(data, tuple) and data and all(map(_is_any_number, data)):
+        return None
     return bool(data.entries) if isinstance(data, Table) else bool(data)
 
 
+def is_counted(items: tuple[Value, ...]) -> bool:
+    """Tell whether a list has as many elements as are written."""
+    return not any(map(_is_any_number, items))
+
+
+def _is_any_number(item: Value) -> bool:
+    """Whether an element stands for any number of them: `*rows`, or a pattern of files."""
+    text = item.data.text[:1] if isinstance(item.data, Unknown) else item.data
+    return isinstance(text, str) and "*" in text
+
+
 def either(before: Value | None, value: Value, name: str) -> Value:
-    """Return what a variable holds behind a branch that is not decided: one of two values is not known."""
-    return value if before is None or before.data == value.data else Value(Unknown(name[:80]), value.line)
+    """Return what a variable holds behind a branch that is not decided: of two values none, of a list what it had."""
+    if before is None or before.data == value.data:
+        return value
+    had, has = before.data, value.data
+    if isinstance(had, tuple) and isinstance(has, tuple) and has[: len(had)] == had:
+        return Value((*had, Value(Unknown(f"*{name}"[:80]), value.line)), value.line)
+    return Value(Unknown(name[:80]), value.line)
 
 
 def operate(operator: str, left: Value, right: Value) -> Data:
@@ -75,7 +93,7 @@ def operate(operator: str, left: Value, right: Value) -> Data:
     if isinstance(a, int | float) and isinstance(b, int | float):
         return _arithmetic(operator, a, b)
     if operator == "+" and (isinstance(a, tuple) or isinstance(b, tuple)):
-        return (_listed(left) + _listed(right))[:MAX_TEXT]
+        return with_more(with_more((), left), right)
     if operator == "+" and (isinstance(a, str) or isinstance(b, str)):
         return (shown(left) + shown(right))[:MAX_TEXT]
     if operator == "%" and isinstance(a, str):
@@ -84,9 +102,12 @@ def operate(operator: str, left: Value, right: Value) -> Data:
     return None
 
 
-def _listed(value: Value) -> tuple[Value, ...]:
-    """What a value adds to a list: its items; what is not known adds one that is not."""
-    return value.data if isinstance(value.data, tuple) else (value,)
+def with_more(items: tuple[Value, ...], more: Value) -> tuple[Value, ...]:
+    """Return a list with the elements of another one, or with any number of them where that is not known."""
+    added = (
+        more.data if isinstance(more.data, tuple) else (Value(Unknown(f"*{shown(more).strip('{}')}"[:80]), more.line),)
+    )
+    return (*items, *added)[:MAX_TEXT]
 
 
 def _next_shown(values: Iterator[Value], otherwise: str) -> str:

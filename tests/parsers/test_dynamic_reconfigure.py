@@ -49,7 +49,7 @@ LOOPS = [
     ('for n, d in [("a", True), ("b", False)]:', "    add(n, d)", ["a", "b"]),
     ('for s in ["l", "r"]:\n    for n in ["a", "b"]:', "        add(s + n, True)", ["la", "lb", "ra", "rb"]),
     ("for n in names():", "    add(n, True)", ["{n}"]),
-    ('rows = ["a"]\nrows.append(more())\nfor n in rows:', "    add(n, True)", ["{n}"]),
+    ('rows = ["a"]\nrows.append(more())\nfor n in rows:', "    add(n, True)", ["a", "{}"]),
     ('rows = ["a"]\nrows += more()\nfor n in rows:', "    add(n, True)", ["{n}"]),
     ('for n, d in ["a", "b"]:', "    add(n, d)", ["{n}"]),
 ]

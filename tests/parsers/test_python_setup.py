@@ -86,8 +86,33 @@ def test_what_a_function_adds_to_a_list_leaves_the_rest() -> None:
     """Files that a function finds are told as unread; those that are written beside them are known."""
     parsed = parse_setup_py(b"setup(data_files=[('share/a', ['x'])] + found('y'),\n packages=more + ['a'])\n")
     assert parsed.facts.data_files == (DataFiles("share/a", ("x",), 1),)
-    assert parsed.facts.packages == ("{more}", "a")
+    assert parsed.facts.packages == ("{*more}", "a")
     assert [each.code for each in parsed.diagnostics] == ["setup-computed-data-files"]
+
+
+@pytest.mark.parametrize(
+    ("text", "packages"),
+    [
+        ("p = ['a']\np += ['b']", ("a", "b")),
+        ("p = ['a']\np.append('b')\np.extend(['c'])", ("a", "b", "c")),
+        ("p = ['a']\nif other:\n    p.append('b')", ("a", "{*p}")),
+        ("p = ['a']\nfor each in rows:\n    p.append(each)", ("a", "{*p}")),
+        ("p = ['a']\nif other:\n    p = ['b']", ()),
+        ("p = ['a']\np.insert(0, 'b')", ()),
+        ("p = ['a']\ndef f():\n    p = ['b']", ()),
+        ("p, q = ['a'], ['b']\np = ['c']", ("c",)),
+        ("p, q = ['a'], ['b']", ()),
+        ("rows = []\nrows.append(1)\np = ['a'] if rows else ['b']", ("a",)),
+        ("p = ['a']\nif glob('x/*'):\n    p = ['b']", ()),
+        ("p = ['a'] if len(glob('x/*')) == 1 else ['b']", ()),
+        ("t = {'k': ['a'], 'k': ['b']}\np = t['k']", ("b",)),
+        ("t = {}\nt.update(k=['a'])\np = t['k']", ("a",)),
+        ("t = {'k': ['a']}\nt.update(other)\np = t['k']", ()),
+    ],
+)
+def test_what_changes_a_variable_is_followed_or_leaves_it_open(text: str, packages: tuple[str, ...]) -> None:
+    """A value that a later statement changes, or may change, is not told as it was."""
+    assert parse_setup_py(f"{text}\nsetup(packages=p)\n".encode()).facts.packages == packages
 
 
 def test_attributes_are_what_they_are_called() -> None:
