@@ -6,7 +6,9 @@ them: `later(self.run)`, `jobs = [(self.run, "x")]`, `return self.run`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.cpp_invoking import called_by
@@ -30,20 +32,20 @@ class GivenFunctions:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.program = folder.program
-        self._given: dict[File, Set[Expr]] = {}
 
     def has(self, func: Func) -> bool:
         """Tell whether a file that sees a function gives it, or one that is called so, to somebody."""
-        asked = _as_given(func)
-        files = (file for file in self.program.files if self.program.sees(file, func.file))
-        return any(asked in self._given_in(file) for file in files)
+        return any(self.program.sees(file, func.file) for file in self._giving.get(_as_given(func), ()))
 
-    def _given_in(self, file: File) -> Set[Expr]:
-        known = self._given.get(file)
-        if known is None:
+    @cached_property
+    def _giving(self) -> Mapping[Expr, Sequence[File]]:
+        """The files that give somebody a function, by how they mention it."""
+        found: dict[Expr, list[File]] = defaultdict(list)
+        for file in self.program.files:
             named = _addresses(file, self.program) if file.language == "cpp" else self._mentions(file)
-            known = self._given[file] = frozenset(named)
-        return known
+            for each in frozenset(named):
+                found[each].append(file)
+        return found
 
     def _mentions(self, file: File) -> Iterator[Expr]:
         """The functions of Python that a file names without calling them, but for where they are only called later."""
