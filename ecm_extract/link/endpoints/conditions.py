@@ -20,11 +20,13 @@ from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.walk import children, last_of
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Bound, Env
+from ecm_extract.link.running.in_order import TAKEN_FIRST
 from ecm_extract.link.running.surely_held import surely_held
 from ecm_extract.link.running.values import OfParameter, Value, is_proved, is_setting
 from ecm_extract.shipped import shipped_names
 
 _MACRO = "#if "
+_SEVERAL = "..."
 _SAME = frozenset({"==", "!="})
 _MORE = frozenset({">", "!=", ">="})
 _TRUTHS = frozenset({"bool", *NUMBERS})
@@ -170,12 +172,22 @@ class Conditions:
         return self.folder.untold.has(expr, env.func, env.at)
 
     def _written(self, test: Expr, env: Env) -> Condition:
+        return Condition("expression", self._text(test, env))
+
+    def _text(self, expr: Expr, env: Env) -> str:
         python = env.func.file.language == "python"
-        return Condition("expression", expression_text(test, python, lambda part: self._called(part, env)))
+        return expression_text(expr, python, lambda part: self._called(part, env))
 
     def _called(self, part: Expr, env: Env) -> str:
+        if isinstance(part, Name) and part.id.startswith(TAKEN_FIRST):
+            return self._as_written(part, env)
         name = self._parameter(part, env)
         return Condition("parameter", name).text if name else ""
+
+    def _as_written(self, name: Name, env: Env) -> str:
+        """What stands in the source where a variable does that none of its own: a part taken before the others."""
+        values = [entry.value for entry in env.func.fact.body if entry.target == name]
+        return self._text(values[0], env) if len(values) == 1 and values[0] is not None else _SEVERAL
 
 
 def key_of(expr: Expr) -> str:

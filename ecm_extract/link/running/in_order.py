@@ -33,6 +33,8 @@ from ecm_extract.link.running.names_by_calls import NOTHING, Named, NamesByCalls
 _TAKEN: Final = frozenset({"do", "set", "let", "return"})
 """Kinds of statements of which the parts are put in order."""
 _CHOICES: Final = frozenset({"&&", "||", "?:"})
+TAKEN_FIRST: Final = "#"
+"""How the names begin of parts that are taken before their statement, and that no source has."""
 MAX_PARTS: Final = 60
 """Parts of a statement that are put in order."""
 
@@ -170,7 +172,7 @@ class _Ordered:
     def fresh(self, expr: Expr) -> Name:
         """Return a name that nothing else has, called like what it stands for."""
         self._made += 1
-        return Name(f"#{last_of(expr.callee if isinstance(expr, Call) else expr)}{self._made}")
+        return Name(f"{TAKEN_FIRST}{last_of(expr.callee if isinstance(expr, Call) else expr)}{self._made}")
 
     def _moved(self, expr: Expr | None) -> Expr | None:
         """An expression whose loops may stand elsewhere by now."""
