@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from operator import is_
 from typing import Any
 
 import msgspec
@@ -12,13 +13,20 @@ Change = Callable[[Any], Any]
 
 
 def rewritten(part: Any, change: Change) -> Any:
-    """Return a fact, or a part of one, with what `change` puts in place of expressions."""
+    """Return a fact, or a part of one, with what `change` puts in place of expressions; itself without any."""
     if isinstance(part, tuple):
-        return tuple([rewritten(each, change) for each in part])
+        items = [rewritten(each, change) for each in part]
+        return part if all(map(is_, items, part)) else tuple(items)
     if not isinstance(part, msgspec.Struct):
         return part
     changed = change(part)
     if changed is not None:
         return changed
-    given = [(each, getattr(part, each)) for each in part.__struct_fields__]
-    return msgspec.structs.replace(part, **{each: rewritten(value, change) for each, value in given})
+    made = {}
+    for name in part.__struct_fields__:
+        value = getattr(part, name)
+        if isinstance(value, tuple | msgspec.Struct):
+            new = rewritten(value, change)
+            if new is not value:
+                made[name] = new
+    return msgspec.structs.replace(part, **made) if made else part
