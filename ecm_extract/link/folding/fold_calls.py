@@ -27,7 +27,7 @@ from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of_parameter
 from ecm_extract.link.folding.held_formats import with_format
 from ecm_extract.link.folding.instances import is_instance
-from ecm_extract.link.folding.of_templates import spelled
+from ecm_extract.link.folding.meant_names import called
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.folding.popped import POP
 from ecm_extract.link.folding.text_functions import TEXT_FUNCTIONS
@@ -94,7 +94,7 @@ class CallFolder:
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
         call, env = self.folder.spreading.known(invocation_of(expr, env), env)
-        meant = spelled(call.path, env, self.folder.objects) if call.receiver is None else call.path
+        meant = called(call.path, env, self.folder.objects) if call.receiver is None else call.path
         if not meant:
             return (parameter(call.path, made=True),)
         if meant != call.path:
