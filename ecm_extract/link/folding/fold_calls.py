@@ -28,6 +28,7 @@ from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of
 from ecm_extract.link.folding.held_formats import with_format
 from ecm_extract.link.folding.instances import is_instance
 from ecm_extract.link.folding.meant_names import called
+from ecm_extract.link.folding.path_parts import PATH_FUNCTIONS
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.folding.popped import POP
 from ecm_extract.link.folding.text_functions import TEXT_FUNCTIONS
@@ -74,6 +75,7 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
         "abs": lambda data: abs(data[0]) if len(data) == 1 and is_number(data[0]) else UNKNOWN,
         "min": lambda data: min(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
         "max": lambda data: max(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
+        **PATH_FUNCTIONS,
     }
 )
 _CPP_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
