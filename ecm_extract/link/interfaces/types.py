@@ -261,8 +261,8 @@ class Types:
             params = [p for p in func.fact.params if p.type]
             if params:
                 inner = Env(func, types=env.types, this=env.this, made=env.made)
-                written = _REQUEST.sub(r"\1", params[0].type) if service else params[0].type
-                return self.written(written, inner, role)
+                first = params[0].type.removesuffix("...")  # of a pack it is the first
+                return self.written(_REQUEST.sub(r"\1", first) if service else first, inner, role)
         made = {self._callback(each.expr, each.env, role, service) for each in self._held(name, env)}
         if made:
             return made.pop() if len(made) == 1 else UNKNOWN_TYPE
