@@ -29,6 +29,7 @@ from ecm_extract.link.declaring.site_names import SiteNames
 from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.transports import transported
+from ecm_extract.link.declaring.unheard import heard
 from ecm_extract.link.declaring.ways_in import WaysIn
 from ecm_extract.link.declaring.wrappers import remember_wrapper
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
@@ -110,7 +111,7 @@ class Sites:
             for call in self._dead.without(self.calls.get(last, ())):
                 with self.folder.faults.of(call.func):
                     found += [closed for site in self._direct(call, parameters) for closed in self._closed(site)]
-        return found
+        return heard(found, self.matcher.undeclared, self.program) if parameters else found
 
     def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func

@@ -19,6 +19,7 @@ from ecm_extract.link.folding.changed_objects import may_be_another
 from ecm_extract.link.folding.chosen_objects import field_of_chosen
 from ecm_extract.link.folding.formats import VALUE_READS, read_as
 from ecm_extract.link.folding.handed_fields import handed_field
+from ecm_extract.link.folding.path_parts import part_of_path
 from ecm_extract.link.index.module_kinds import class_kind
 from ecm_extract.link.running.env import Env, Instance
 from ecm_extract.link.running.values import (
@@ -74,7 +75,7 @@ class MemberFolder:
                 return first
             cls = env.this or env.func.cls
             return (self.member_value(expr.name, cls, env) if cls is not None else ()) or (unknown(expr.name),)
-        if handed := handed_field(expr, env, self.folder):
+        if handed := handed_field(expr, env, self.folder) or part_of_path(expr, env, self.folder):
             return handed
         pointed = self.folder.searches.part(expr, env)
         if pointed is not None:
