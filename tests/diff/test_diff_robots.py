@@ -141,6 +141,19 @@ def test_trees_of_consumers_break(
     assert [(each["evidence"][0]["line"], what in each["message"]) for each in found["findings"]] == [(2, True)]
 
 
+def test_trees_name_a_node_without_its_package(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What a renamed package registers is called as it was."""
+    source = TREES.format(name="Go", port="speed")
+    gone: dict[str, str | None] = {}
+    for tag, name in (("1.0.0", "cell"), ("2.0.0", "box")):
+        files = {f"{name}/src/{each}.cpp": f"// {each}\n{source}" for each in ("go", "come", "wait")}
+        files |= {f"{name}/package.xml": package(name, tag)}
+        release(tmp_path / "cell", {**gone, **files}, tag)
+        gone = dict.fromkeys(files)
+    found = compared(tmp_path, capsys, {})
+    assert {(each["kind"], each["breaking"]) for each in found["changes"]} == {("package", True)}
+
+
 BASE = """#include <behaviortree_cpp/bt_factory.h>
 class BasicAction : public BT::SyncActionNode {{
 public:
