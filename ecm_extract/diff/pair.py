@@ -94,7 +94,8 @@ class Pairing:
     def _by_file(self, kind: str) -> None:
         """What its file alone declared of a kind has moved with the file, however it is called now."""
         for found in list(alone_in_moved_files(kind, self.old.values(), self.new.values(), self.evidence.files)):
-            if found.old is not None and found.new is not None and self._is_taken(found.old, found.new):
+            old, new = found.old, found.new
+            if old is not None and new is not None and new.key in self.new and self._is_taken(old, new):
                 self.take(found)
 
     def _is_taken(self, old: Provision, new: Provision) -> bool:
