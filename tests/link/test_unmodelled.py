@@ -36,9 +36,9 @@ CALLS = {
 
 @pytest.mark.parametrize(("head", "call", "expected"), CALLS.values(), ids=CALLS)
 def test_who_gets_a_node_and_a_name_is_told(workspace: Any, head: str, call: str, expected: list[str]) -> None:
-    """Each function once for a file, as something that was not judged."""
+    """Each function once for a file, as something that is outside."""
     workspace.package({"CMakeLists.txt": CMAKE, "src/demo.cpp": MAIN.format(head=head, call=call)}, ros=1)
     found = extract(open_tree(workspace.root), Options(jobs=1))
     told = [entry for entry in found.diagnostics if entry.code == "handle-given-outside"]
     assert [entry.message.partition(" ")[0] for entry in told] == expected
-    assert [entry.reason for entry in found.unread] == ["unjudged"] * len(expected)
+    assert [entry.reason for entry in found.unread] == ["outside"] * len(expected)

@@ -83,4 +83,4 @@ def _told(path: str, name: str, line: int) -> FileDiagnostic:
         f"{printable(name)} gets a node and a name, and neither the tree nor a row shows what it does with them: what "
         f"it declares is not told. Read its package as well, or add a row for {printable(last_name(name))} to ecm.toml."
     )
-    return FileDiagnostic("warning", CODE, shown, line, text, Unread(shown, "unjudged"))
+    return FileDiagnostic("warning", CODE, shown, line, text, Unread(shown, "outside"))
