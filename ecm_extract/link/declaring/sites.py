@@ -97,8 +97,8 @@ class Sites:
             self.calls[call.last].append(call)
         self._given = GivenFunctions(self.folder)
         self.dispatching = Dispatching(self.folder, self.plugins)
-        self._other_makers = OtherMakers(self.making, self.calls, self._given)
-        self.handed_roots = HandedRoots(self._given, self._other_makers)
+        self.other_makers = OtherMakers(self.making, self.calls, self._given)
+        self.handed_roots = HandedRoots(self._given, self.other_makers)
         self._calls_of = CallTargets(self.dispatching, self.calls, self._place)
         self.folder.states.callers.find = self._calling
         self.folder.states.callers.making = self._made
@@ -168,7 +168,7 @@ class Sites:
             further = (current.certain, current.owner, *((each.chain, each.owner, each.env.this) for each in wider))
             if not wider or self._has_other_callers(current, wider):
                 closed.extend(map(self._spread_out, self.ways.in_each_state(current.as_written())))
-            elif self._other_makers.are_left_out(current, wider):
+            elif self.other_makers.are_left_out(current, wider):
                 alone = replace(self.ways.of_class(current, current.owner), certain=False, sole=False)
                 closed.extend(map(self._spread_out, self.ways.in_each_state(alone)))
             if wider and further not in widened:  # states of what was outermost make no difference further out

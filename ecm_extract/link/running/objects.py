@@ -323,7 +323,7 @@ class Objects:
         return self.methods(call, named or class_at_hand(call, env, self.program)) or self._free(call, env)
 
     def methods_of_base(self, call: Invocation, own: Cls, this: Cls) -> Sequence[Func]:
-        """Return the methods that `super().name()` means, of the next class of an object; `Base.name(self)` names one."""
+        """Return the methods that `super().name()` means, of the next class of the object, or `Base.name(self)`."""
         written = call.receiver.args[0] if isinstance(call.receiver, Call) and call.receiver.args else None
         if not isinstance(written, Text):
             return nearest(call, behind(own, this, self.program))
