@@ -77,7 +77,7 @@ def _meant(name: str, owner: str) -> str:
 def _within(part: Part, owner: str) -> Part:
     """A fact with the names that its expressions have in a class."""
 
-    def change(each: Any) -> Expr | None:
+    def change(each: object) -> Expr | None:
         if isinstance(each, Name) and is_private(each.id):
             return Name(_meant(each.id, owner))
         if isinstance(each, Member) and is_private(each.name):
