@@ -72,10 +72,18 @@ def callable_of(value: Expr | None, imported: Mapping[str, str]) -> Expr | None:
         value.callee == Name("getattr")
         and len(value.args) == 2
         and not value.keywords
-        and isinstance(value.args[1], Text)
+        and (name := text_of(value.args[1])) is not None
     ):
-        return Member(value.args[0], value.args[1].value) if object_of(value.args[0]) else None
+        return Member(value.args[0], name) if object_of(value.args[0]) else None
     return value if value.args and full_name(dotted(value.callee) or "", imported) == _PARTIAL else None
+
+
+def text_of(expr: Expr) -> str | None:
+    """Return a text, be it put together of several: `"create_" + "client"`; None of anything else."""
+    if isinstance(expr, Op) and expr.op == "+":
+        parts = [text_of(each) for each in expr.operands]
+        return None if None in parts else "".join(each for each in parts if each is not None)
+    return expr.value if isinstance(expr, Text) else None
 
 
 def element_of(expr: Call | Op) -> tuple[Expr | None, Text | None]:
