@@ -63,7 +63,7 @@ class UnmodelledPython:
         root, last = written.partition(".")[0], written.rpartition(".")[2]
         if root in sys.stdlib_module_names or is_client_library(root) or root in self._own:
             return False
-        return last not in self.known and last not in self.program.functions and last not in self.program.classes
+        return last not in self.known
 
     @cached_property
     def _own(self) -> Set[str]:
