@@ -12,7 +12,6 @@ from ecm_checker.hub.local_name import LocalName
 from ecm_parsers.source.expr import Name, Text
 
 from ecm_extract.link.code.units import Cls
-from ecm_extract.link.declaring.escaping import handed_makers
 from ecm_extract.link.declaring.forms import FormTable
 from ecm_extract.link.declaring.listed import defaults_of, listed_parameters
 from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, latch_argument
@@ -118,7 +117,7 @@ class Linker:
         self.registry = registry = build_registry(self.program, packages)
         also, plugins = (*observation_forms(), *SUMMARIES, LISTENER), plugins_of(self.program, registry)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
-        self.unmodelled = Unmodelled(self.folder, self.sites.calls.keys() | forms.keys(), handed_makers(forms))
+        self.unmodelled = Unmodelled(self.folder, self.sites.calls.keys() | forms.keys(), forms)
         makers = SeenMakers(self.program, registry.classes)
         self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, makers))
         self.folder.prefixes = self.handles.prefix

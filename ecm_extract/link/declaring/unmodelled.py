@@ -12,6 +12,7 @@ from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import given_to, last_of
 from ecm_extract.link.declaring.client_libraries import is_client_library
+from ecm_extract.link.declaring.forms import FormTable
 from ecm_extract.link.declaring.unmodelled_python import MADE_UP, UnmodelledPython
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.module_kinds import is_node_base
@@ -30,14 +31,14 @@ class Unmodelled:
     Args:
         folder: what is known of the tree.
         known: last names of the calls that rows tell of.
-        makers: the methods of nodes of Python that declare what they are asked for.
+        forms: the rows.
     """
 
-    def __init__(self, folder: Folder, known: Set[str], makers: Set[str]) -> None:
+    def __init__(self, folder: Folder, known: Set[str], forms: FormTable) -> None:
         self.folder = folder
         self.program = folder.program
         self.known = known
-        self.python = UnmodelledPython(folder, known, makers)
+        self.python = UnmodelledPython(folder, forms)
 
     def told(self) -> Iterator[FileDiagnostic]:
         """Yield a warning for each of them in each file, where it is called first; it is a gap."""

@@ -19,6 +19,8 @@ from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children, dotted, given_to
 from ecm_extract.link.declaring.client_libraries import is_client_library
+from ecm_extract.link.declaring.escaping import handed_makers
+from ecm_extract.link.declaring.forms import FormTable
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.module_kinds import class_kind, is_node_base
 from ecm_extract.link.running.env import Env
@@ -33,15 +35,14 @@ class UnmodelledPython:
 
     Args:
         folder: what is known of the tree.
-        known: last names of the calls that rows tell of.
-        makers: the methods of nodes that declare what they are asked for.
+        forms: the rows.
     """
 
-    def __init__(self, folder: Folder, known: Set[str], makers: Set[str]) -> None:
+    def __init__(self, folder: Folder, forms: FormTable) -> None:
         self.folder = folder
         self.program = folder.program
-        self.known = known
-        self.makers = makers
+        self.known = forms.keys()
+        self.makers = handed_makers(forms)
 
     def called(self, call: Call, env: Env) -> str:
         """Return how what a call runs is written, where nobody sees what that declares; else nothing."""
@@ -61,7 +62,7 @@ class UnmodelledPython:
     def _is_outside(self, written: str) -> bool:
         """Whether a dotted name is of a library that the tree does not have and no row tells of."""
         root, last = written.partition(".")[0], written.rpartition(".")[2]
-        if root in sys.stdlib_module_names or is_client_library(root) or root in self._own:
+        if not root or root in sys.stdlib_module_names or is_client_library(root) or root in self._own:
             return False
         return last not in self.known
 
