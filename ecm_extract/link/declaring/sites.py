@@ -165,7 +165,7 @@ class Sites:
             current = pending.popleft()
             if self._types.leads_elsewhere(current):
                 continue
-            wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
+            wider = self._further(current)
             further = (current.certain, current.owner, *((each.chain, each.owner, each.env.this) for each in wider))
             if not wider or self._has_other_callers(current, wider):
                 closed.extend(map(self._spread_out, self.ways.in_each_state(current.as_written())))
@@ -175,8 +175,17 @@ class Sites:
             if wider and further not in widened:  # states of what was outermost make no difference further out
                 widened.add(further)
                 pending.extend(wider)
+        if pending:
+            self.folder.steps.give_up(site.env)
         closed += [replace(site, certain=False)] * any(map(self._goes_on, closed))
         return self._alike_in_all_states(closed)
+
+    def _further(self, site: Site) -> Sequence[Site]:
+        """A site seen from one call further out; where that is too far, the place is told."""
+        wider = self._wider(site)
+        if len(site.chain) >= MAX_CHAIN and next(wider, None) is not None:
+            self.folder.steps.give_up(site.env)
+        return list(wider) if len(site.chain) < MAX_CHAIN else []
 
     def _has_other_callers(self, site: Site, wider: Sequence[Site]) -> bool:
         """Tell whether somebody may call the outermost function of a site who is none of those that do."""

@@ -7,7 +7,7 @@ defaults, functions that return a value. Every result has a confidence; unknown 
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
-from itertools import islice, product
+from itertools import product
 from typing import Any
 
 from ecm_parsers.source.expr import (
@@ -94,6 +94,7 @@ from ecm_extract.link.running.untold import Untold
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
     TOO_DEEP,
+    TOO_MANY,
     Hole,
     Value,
     alternatives,
@@ -308,7 +309,9 @@ class Folder:
     ) -> tuple[Value, ...]:
         """Compute with each combination of known values; what is not known or not computed stays a pattern."""
         found: list[Value] = []
-        for values in islice(product(*options), MAX_ALTERNATIVES + 1):
+        for values in product(*options):
+            if len(found) > MAX_ALTERNATIVES:
+                return alternatives((*found, TOO_MANY))
             data = [data_in(value) for value in values]
             result = None if UNKNOWN in data else computed(work(data))
             found.append(_left_open(values, label) if result is None else _as_sure(result, values))

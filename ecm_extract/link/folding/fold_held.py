@@ -190,7 +190,13 @@ class HeldFolder:
                 )
         values = self.folder.members.initial(name, env.this or cls, env)
         last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
-        return values or ((literal("")._replace(confidence="folded"),) if last in _TEXTS else ())
+        begun = last in _TEXTS and not self._is_static(name, cls)
+        return values or ((literal("")._replace(confidence="folded"),) if begun else ())
+
+    def _is_static(self, name: str, cls: Cls) -> bool:
+        """Tell whether a member is defined elsewhere, and was there before any object: no object begins it."""
+        owner = self.folder.scope.declaring(name, cls)
+        return owner is not None and "static" in owner.fields[name].traits
 
     def _is_of(self, name: str, base: Cls) -> bool:
         """Tell whether a base has a member, or gives it a value."""

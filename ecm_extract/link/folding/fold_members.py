@@ -23,7 +23,6 @@ from ecm_extract.link.folding.path_parts import part_of_path
 from ecm_extract.link.index.module_kinds import class_kind
 from ecm_extract.link.running.env import Env, Instance
 from ecm_extract.link.running.values import (
-    MAX_ALTERNATIVES,
     Value,
     alternatives,
     circular,
@@ -268,8 +267,7 @@ class MemberFolder:
 
         Of a class whose objects are not known to be of no derived one, what derived classes do counts too.
         """
-        found = [(held, place) for run, place in self.ends(name, cls, env) for held in self._left(run, name)]
-        return found[: MAX_ALTERNATIVES + 1]
+        return [(held, place) for run, place in self.ends(name, cls, env) for held in self._left(run, name)]
 
     def ends(self, name: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
         """Yield the run of each method that may change a data member, with its place; None for one that is run now."""
