@@ -104,7 +104,7 @@ class Sites:
         self.folder.states.callers.find = self._calling
         self.folder.states.callers.making = self._made
         self.folder.lasting.find()
-        matcher.undeclared.makers = self._making
+        matcher.undeclared.makers = lambda cls: (call.func for call, _ in self._made(cls))
         matcher.undeclared.callers = self._askers
 
     def find(self, parameters: bool) -> list[Site]:
@@ -343,9 +343,6 @@ class Sites:
 
     def _made(self, cls: Cls) -> Iterator[tuple[Invocation, Env]]:
         return ((call, self._place(call)) for call in self.calls.get(cls.fact.name, ()) if self.makes(call, cls))
-
-    def _making(self, cls: Cls) -> Iterator[Func]:
-        return (call.func for call, _ in self._made(cls))
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""

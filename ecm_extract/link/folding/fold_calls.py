@@ -28,7 +28,7 @@ from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of
 from ecm_extract.link.folding.held_formats import with_format
 from ecm_extract.link.folding.instances import is_instance
 from ecm_extract.link.folding.meant_names import called
-from ecm_extract.link.folding.names_of_nodes import RESOLVED_BY_HANDLE, namespace_of
+from ecm_extract.link.folding.names_of_nodes import resolved
 from ecm_extract.link.folding.path_parts import PATH_FUNCTIONS
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.folding.popped import POP
@@ -111,7 +111,7 @@ class CallFolder:
         tidied = is_resolver(call.last) or gives_name(call.path)
         plainly = call.receiver is None and (call.path in _SAME or call.last in STREAMS)
         if tidied and call.args:
-            return self._resolved(call, env.before(env.at))
+            return resolved(call, env.before(env.at), self.folder)
         if plainly:
             return self._same(call, env.before(env.at))
         if call.last == "getCameraInfoTopic" and call.args:
@@ -282,15 +282,6 @@ class CallFolder:
         if any(value.text.startswith(("/", "~")) or value.confidence == "pattern" for value in values):
             return values
         return joined([(node_namespace(),), (literal("/"),), values])
-
-    def _resolved(self, call: Invocation, env: Env) -> tuple[Value, ...]:
-        """A name as it is passed; `nh.resolveName(name)` gives it below the handle, whatever other one gets it."""
-        values = self.folder.fold(call.args[0], env)
-        of_handle = call.receiver is not None and call.last == RESOLVED_BY_HANDLE
-        space = namespace_of(call.receiver, env, self.folder) if of_handle and call.receiver is not None else None
-        if space is None or any(value.text.startswith(("/", "~")) for value in values):
-            return values
-        return joined([(space,), (literal("/"),), values])
 
     def _topic(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """The name that a publisher, subscription, service or client was made with."""

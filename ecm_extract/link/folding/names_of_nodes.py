@@ -30,7 +30,17 @@ _OWN_NAMES: Final = frozenset({"get_name", "get_fully_qualified_name"})
 _WITH_SUB_NODES: Final = "get_effective_namespace"
 _OF_NODELETS: Final = "getName"
 _NAMESPACE_OF_HANDLE: Final = "getNamespace"
-RESOLVED_BY_HANDLE: Final = "resolveName"
+_RESOLVED_BY_HANDLE: Final = "resolveName"
+
+
+def resolved(call: Invocation, env: Env, folder: Folder) -> tuple[Value, ...]:
+    """Return a name as it is passed; `nh.resolveName(name)` gives it below the handle, whatever other one gets it."""
+    values = folder.fold(call.args[0], env)
+    of_handle = call.receiver is not None and call.last == _RESOLVED_BY_HANDLE
+    space = namespace_of(call.receiver, env, folder) if of_handle and call.receiver is not None else None
+    if space is None or any(value.text.startswith(("/", "~")) for value in values):
+        return values
+    return joined([(space,), (literal("/"),), values])
 
 
 def told_by_node(call: Invocation, env: Env, folder: Folder) -> Value | None:
