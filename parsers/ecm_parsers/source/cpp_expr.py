@@ -30,6 +30,7 @@ from ecm_parsers.source.expr import (
     Number,
     Op,
     Opaque,
+    Specialized,
 )
 
 if TYPE_CHECKING:
@@ -163,6 +164,15 @@ def _name(reader: ExprReader, node: Node) -> Expr:
     return Name("this" if name in reader.own else reader.brought.meant(name))
 
 
+def _specialized(reader: ExprReader, node: Node) -> Expr:
+    """A name that may end in template arguments."""
+    name, last = _name(reader, node), node
+    while last.type == "qualified_identifier" and (following := last.child_by_field_name("name")) is not None:
+        last = following
+    types = reader.template_arguments(last) if last.type == "template_function" else ()
+    return Specialized(name.id, types) if types and isinstance(name, Name) else name
+
+
 def _field(reader: ExprReader, node: Node) -> Expr:
     base, field = node.child_by_field_name("argument"), node.child_by_field_name("field")
     if base is None or field is None:
@@ -182,6 +192,7 @@ def _call(reader: ExprReader, node: Node) -> Expr:
                 reader.moved.append(value)
             return _cast(value, reader.template_arguments(function))
     callee = _called_lambda(reader, function) or reader.read(function)
+    callee = Name(callee.id) if isinstance(callee, Specialized) else callee
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
     types = reader.template_arguments(function)
     return reader.made(Call(callee, cast_arguments(reader, listed), (), types, last.start_point[0] + 1))
@@ -322,8 +333,8 @@ _READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
     "field_identifier": _name,
     "type_identifier": _name,
     "namespace_identifier": _name,
-    "qualified_identifier": _name,
-    "template_function": _name,
+    "qualified_identifier": _specialized,
+    "template_function": _specialized,
     "template_type": _name,
     "primitive_type": _name,
     "dependent_name": _name,
