@@ -156,6 +156,8 @@ class ExprReader:
         return tuple([self.type_text(child) for child in listed.named_children if child.type != "comment"])
 
 
+SEARCHING = ("searchParam", "param::search")
+"""How roscpp calls what finds a parameter, here or above. Source: ros/node_handle.h, ros/param.h."""
 _TEMPLATED = frozenset({"template_function", "template_type", "template_method"})
 
 
@@ -191,6 +193,9 @@ def _call(reader: ExprReader, node: Node) -> Expr:
             if name == MOVED.text and isinstance(value, Name):
                 reader.moved.append(value)
             return _cast(value, reader.template_arguments(function))
+    searched = _changed(reader, node) if reader.text(function).endswith(SEARCHING) else None
+    if searched is not None:
+        return searched
     callee = _called_lambda(reader, function) or reader.read(function)
     callee = Name(callee.id) if isinstance(callee, Specialized) else callee
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
@@ -236,14 +241,18 @@ def _binary(reader: ExprReader, node: Node) -> Expr:
 
 
 def _assignment(reader: ExprReader, node: Node) -> Expr:
-    with reader.before():
-        changed = reader.changed(reader, node) if reader.changed is not None else None
+    changed = _changed(reader, node)
     return _binary(reader, node) if changed is None else changed
 
 
-def _update(reader: ExprReader, node: Node) -> Expr:
+def _changed(reader: ExprReader, node: Node) -> Expr | None:
+    """What an expression gets of a part that changes a variable; None of a part that does not."""
     with reader.before():
-        changed = reader.changed(reader, node) if reader.changed is not None else None
+        return reader.changed(reader, node) if reader.changed is not None else None
+
+
+def _update(reader: ExprReader, node: Node) -> Expr:
+    changed = _changed(reader, node)
     return Opaque(reader.text(node)[:80]) if changed is None else changed
 
 
