@@ -15,6 +15,7 @@ from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.meant_names import spelled
 from ecm_extract.link.interfaces.adapters import Adapters
+from ecm_extract.link.interfaces.callbacks import callback_meant
 from ecm_extract.link.interfaces.python_types import PythonTypes
 from ecm_extract.link.interfaces.sent_as import sent_as
 from ecm_extract.link.interfaces.type_found import ACTION, UNKNOWN_TYPE, TypeFound
@@ -251,7 +252,7 @@ class Types:
     def _callback(self, expr: Expr, env: Env, role: Role, service: bool) -> TypeFound:
         if isinstance(expr, Lambda):
             return self.written(expr.param_types[0], env, role) if expr.param_types else UNKNOWN_TYPE
-        meant = _callback_meant(expr)
+        meant = callback_meant(expr)
         if meant is None:
             return UNKNOWN_TYPE
         if isinstance(meant, Lambda):
@@ -343,17 +344,3 @@ def _action(name: str, kind: str) -> str:
 def _argument(call: Invocation, index: int) -> Expr | None:
     placed = placed_arguments(call)
     return placed[index] if index < len(placed) else None
-
-
-def _callback_meant(expr: Expr) -> Name | Lambda | None:
-    """The function that `&C::f`, `f`, `std::bind(&C::f, this, _1)`, `boost::bind(...)` or a cast of them means."""
-    if isinstance(expr, Op) and expr.op == "&" and isinstance(expr.operands[0], Name):
-        return expr.operands[0]
-    if isinstance(expr, Name):
-        return expr
-    if isinstance(expr, Member):
-        return Name(expr.name)
-    if isinstance(expr, Call) and expr.args:
-        first = expr.args[0]
-        return first if isinstance(first, Lambda) else _callback_meant(first)
-    return None

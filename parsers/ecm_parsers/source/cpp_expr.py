@@ -17,6 +17,7 @@ from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_invoking import gets_values, invoked, invoked_by_element
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
+from ecm_parsers.source.cpp_names import called_lambda, plain_name, specialized
 from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.expr import (
     MOVED,
@@ -161,20 +162,6 @@ SEARCHING = ("searchParam", "param::search")
 _TEMPLATED = frozenset({"template_function", "template_type", "template_method"})
 
 
-def _name(reader: ExprReader, node: Node) -> Expr:
-    name = reader.name(node)
-    return Name("this" if name in reader.own else reader.brought.meant(name))
-
-
-def _specialized(reader: ExprReader, node: Node) -> Expr:
-    """A name that may end in template arguments."""
-    name, last = _name(reader, node), node
-    while last.type == "qualified_identifier" and (following := last.child_by_field_name("name")) is not None:
-        last = following
-    types = reader.template_arguments(last) if last.type == "template_function" else ()
-    return Specialized(name.id, types) if types and isinstance(name, Name) else name
-
-
 def _field(reader: ExprReader, node: Node) -> Expr:
     base, field = node.child_by_field_name("argument"), node.child_by_field_name("field")
     if base is None or field is None:
@@ -196,21 +183,11 @@ def _call(reader: ExprReader, node: Node) -> Expr:
     searched = _changed(reader, node) if reader.text(function).endswith(SEARCHING) else None
     if searched is not None:
         return searched
-    callee = _called_lambda(reader, function) or reader.read(function)
+    callee = called_lambda(reader, function) or reader.read(function)
     callee = Name(callee.id) if isinstance(callee, Specialized) else callee
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
     types = reader.template_arguments(function)
     return reader.made(Call(callee, cast_arguments(reader, listed), (), types, last.start_point[0] + 1))
-
-
-def _called_lambda(reader: ExprReader, function: Node) -> Expr | None:
-    """`[&] { ... }()`: the name of the function that the lambda is read as; None for what is no lambda."""
-    while function.type == "parenthesized_expression" and function.named_child_count == 1:
-        function = function.named_children[0]
-    if function.type != "lambda_expression" or reader.called is None or function.child_by_field_name("body") is None:
-        return None
-    with reader.before():
-        return Name(reader.called(function))
 
 
 def _cast(value: Expr, types: tuple[str, ...]) -> Expr:
@@ -296,7 +273,7 @@ def _last(reader: ExprReader, node: Node) -> Expr:
 
 
 def _lambda(reader: ExprReader, node: Node) -> Expr:
-    called = _called_lambda(reader, node) if gets_values(reader, node) else None
+    called = called_lambda(reader, node) if gets_values(reader, node) else None
     if called is not None:
         return called
     if node.child_by_field_name("body") is not None:
@@ -338,15 +315,15 @@ _READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
     "null": constant,
     "nullptr": constant,
     "this": lambda reader, node: THIS,
-    "identifier": _name,
-    "field_identifier": _name,
-    "type_identifier": _name,
-    "namespace_identifier": _name,
-    "qualified_identifier": _specialized,
-    "template_function": _specialized,
-    "template_type": _name,
-    "primitive_type": _name,
-    "dependent_name": _name,
+    "identifier": plain_name,
+    "field_identifier": plain_name,
+    "type_identifier": plain_name,
+    "namespace_identifier": plain_name,
+    "qualified_identifier": specialized,
+    "template_function": specialized,
+    "template_type": plain_name,
+    "primitive_type": plain_name,
+    "dependent_name": plain_name,
     "field_expression": _field,
     "call_expression": _call,
     "new_expression": _object,
