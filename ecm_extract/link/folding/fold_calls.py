@@ -28,6 +28,7 @@ from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of
 from ecm_extract.link.folding.held_formats import with_format
 from ecm_extract.link.folding.instances import is_instance
 from ecm_extract.link.folding.meant_names import called
+from ecm_extract.link.folding.names_of_nodes import resolved
 from ecm_extract.link.folding.path_parts import PATH_FUNCTIONS
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.folding.popped import POP
@@ -110,7 +111,7 @@ class CallFolder:
         tidied = is_resolver(call.last) or gives_name(call.path)
         plainly = call.receiver is None and (call.path in _SAME or call.last in STREAMS)
         if tidied and call.args:
-            return self.folder.fold(call.args[0], env.before(env.at))
+            return resolved(call, env.before(env.at), self.folder)
         if plainly:
             return self._same(call, env.before(env.at))
         if call.last == "getCameraInfoTopic" and call.args:
