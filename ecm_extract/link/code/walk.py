@@ -18,6 +18,7 @@ from ecm_parsers.source.expr import (
     Number,
     Op,
     Opaque,
+    Specialized,
     Table,
     Template,
     Text,
@@ -46,7 +47,7 @@ def expressions(statement: Statement) -> Iterator[tuple[Expr, int]]:
 
 def dotted(expr: Expr) -> str | None:
     """Return `a.b.c` of names and members; None of anything else."""
-    if type(expr) is Name:
+    if type(expr) is Name or type(expr) is Specialized:
         return expr.id
     parts: list[str] = []
     while type(expr) is Member:
@@ -127,7 +128,7 @@ _PARTS: Final[Mapping[type[Expr], Callable[[Any], tuple[Expr, ...]]]] = {
     Comprehension: lambda comprehension: (comprehension.element, *comprehension.tests),
 }
 """What gives the parts of an expression that has some; asked of each expression of a program."""
-_LEAVES = frozenset({Name, Text, Number, Constant, Opaque, Lambda})
+_LEAVES = frozenset({Name, Specialized, Text, Number, Constant, Opaque, Lambda})
 """Expressions that hold no other; half of all are."""
 
 

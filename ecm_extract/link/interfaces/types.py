@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ecm_checker.hub.roles import Role, roles
 from ecm_checker.match.generated import snake
-from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
+from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Specialized, Text
 
 from ecm_extract.link.code.calls import Invocation, placed_arguments, unseen_argument
 from ecm_extract.link.code.spelling import plain, pointee, template_arguments
@@ -15,6 +15,7 @@ from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.meant_names import spelled
 from ecm_extract.link.interfaces.adapters import Adapters
+from ecm_extract.link.interfaces.callbacks import callback_meant
 from ecm_extract.link.interfaces.python_types import PythonTypes
 from ecm_extract.link.interfaces.sent_as import sent_as
 from ecm_extract.link.interfaces.type_found import ACTION, UNKNOWN_TYPE, TypeFound
@@ -251,16 +252,18 @@ class Types:
     def _callback(self, expr: Expr, env: Env, role: Role, service: bool) -> TypeFound:
         if isinstance(expr, Lambda):
             return self.written(expr.param_types[0], env, role) if expr.param_types else UNKNOWN_TYPE
-        name = _callback_name(expr)
-        if name is None:
+        meant = callback_meant(expr)
+        if meant is None:
             return UNKNOWN_TYPE
-        if isinstance(name, Lambda):
-            return self._callback(name, env, role, service)
+        if isinstance(meant, Lambda):
+            return self._callback(meant, env, role, service)
+        name, given = meant.id, self._given(meant, env)
         overloads = sorted(self._named(name, env), key=lambda func: _serves(func) is not service)
         for func in overloads:
             params = [p for p in func.fact.params if p.type]
-            if params:
-                inner = Env(func, types=env.types, this=env.this, made=env.made)
+            if params and (not given or func.takes(given)):
+                types = {**env.types, **dict(zip(func.own_template, given, strict=False))}
+                inner = Env(func, types=types, this=env.this, made=env.made)
                 first = params[0].type.removesuffix("...")  # of a pack it is the first
                 return self.written(_REQUEST.sub(r"\1", first) if service else first, inner, role)
         made = {self._callback(each.expr, each.env, role, service) for each in self._held(name, env)}
@@ -268,6 +271,14 @@ class Types:
             return made.pop() if len(made) == 1 else UNKNOWN_TYPE
         held = _FUNCTION.search(self.folder.objects.type_of(expr, env)) if isinstance(expr, Name | Member) else None
         return self.written(template_arguments(f"<{held[1]}>")[0], env, role) if held else UNKNOWN_TYPE
+
+    def _given(self, meant: Name, env: Env) -> tuple[str, ...]:
+        """The template arguments of a callback, as they are called at a place."""
+        written = meant.types if isinstance(meant, Specialized) else ()
+        outer = {**self.folder.objects.class_types(env), **env.types}
+        return tuple(
+            [outer.get(each) or self.program.alias(each, env.func.file, env.scope) or each for each in written]
+        )
 
     def _held(self, name: str, env: Env) -> Sequence[Bound]:
         """What a variable may hold that is called like a callback, where all of it is known."""
@@ -333,17 +344,3 @@ def _action(name: str, kind: str) -> str:
 def _argument(call: Invocation, index: int) -> Expr | None:
     placed = placed_arguments(call)
     return placed[index] if index < len(placed) else None
-
-
-def _callback_name(expr: Expr) -> str | Lambda | None:
-    """The function that `&C::f`, `f`, `std::bind(&C::f, this, _1)`, `boost::bind(...)` or a cast of them means."""
-    if isinstance(expr, Op) and expr.op == "&" and isinstance(expr.operands[0], Name):
-        return expr.operands[0].id
-    if isinstance(expr, Name):
-        return expr.id
-    if isinstance(expr, Member):
-        return expr.name
-    if isinstance(expr, Call) and expr.args:
-        first = expr.args[0]
-        return first if isinstance(first, Lambda) else _callback_name(first)
-    return None

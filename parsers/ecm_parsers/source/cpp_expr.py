@@ -17,6 +17,7 @@ from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.cpp_containers import given
 from ecm_parsers.source.cpp_invoking import gets_values, invoked, invoked_by_element
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
+from ecm_parsers.source.cpp_names import called_lambda, plain_name, specialized
 from ecm_parsers.source.cpp_spacing import collapsed
 from ecm_parsers.source.expr import (
     MOVED,
@@ -30,6 +31,7 @@ from ecm_parsers.source.expr import (
     Number,
     Op,
     Opaque,
+    Specialized,
 )
 
 if TYPE_CHECKING:
@@ -155,12 +157,9 @@ class ExprReader:
         return tuple([self.type_text(child) for child in listed.named_children if child.type != "comment"])
 
 
+SEARCHING = ("searchParam", "param::search")
+"""How roscpp calls what finds a parameter, here or above. Source: ros/node_handle.h, ros/param.h."""
 _TEMPLATED = frozenset({"template_function", "template_type", "template_method"})
-
-
-def _name(reader: ExprReader, node: Node) -> Expr:
-    name = reader.name(node)
-    return Name("this" if name in reader.own else reader.brought.meant(name))
 
 
 def _field(reader: ExprReader, node: Node) -> Expr:
@@ -181,20 +180,14 @@ def _call(reader: ExprReader, node: Node) -> Expr:
             if name == MOVED.text and isinstance(value, Name):
                 reader.moved.append(value)
             return _cast(value, reader.template_arguments(function))
-    callee = _called_lambda(reader, function) or reader.read(function)
+    searched = _changed(reader, node) if reader.text(function).endswith(SEARCHING) else None
+    if searched is not None:
+        return searched
+    callee = called_lambda(reader, function) or reader.read(function)
+    callee = Name(callee.id) if isinstance(callee, Specialized) else callee
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
     types = reader.template_arguments(function)
     return reader.made(Call(callee, cast_arguments(reader, listed), (), types, last.start_point[0] + 1))
-
-
-def _called_lambda(reader: ExprReader, function: Node) -> Expr | None:
-    """`[&] { ... }()`: the name of the function that the lambda is read as; None for what is no lambda."""
-    while function.type == "parenthesized_expression" and function.named_child_count == 1:
-        function = function.named_children[0]
-    if function.type != "lambda_expression" or reader.called is None or function.child_by_field_name("body") is None:
-        return None
-    with reader.before():
-        return Name(reader.called(function))
 
 
 def _cast(value: Expr, types: tuple[str, ...]) -> Expr:
@@ -225,14 +218,18 @@ def _binary(reader: ExprReader, node: Node) -> Expr:
 
 
 def _assignment(reader: ExprReader, node: Node) -> Expr:
-    with reader.before():
-        changed = reader.changed(reader, node) if reader.changed is not None else None
+    changed = _changed(reader, node)
     return _binary(reader, node) if changed is None else changed
 
 
-def _update(reader: ExprReader, node: Node) -> Expr:
+def _changed(reader: ExprReader, node: Node) -> Expr | None:
+    """What an expression gets of a part that changes a variable; None of a part that does not."""
     with reader.before():
-        changed = reader.changed(reader, node) if reader.changed is not None else None
+        return reader.changed(reader, node) if reader.changed is not None else None
+
+
+def _update(reader: ExprReader, node: Node) -> Expr:
+    changed = _changed(reader, node)
     return Opaque(reader.text(node)[:80]) if changed is None else changed
 
 
@@ -276,7 +273,7 @@ def _last(reader: ExprReader, node: Node) -> Expr:
 
 
 def _lambda(reader: ExprReader, node: Node) -> Expr:
-    called = _called_lambda(reader, node) if gets_values(reader, node) else None
+    called = called_lambda(reader, node) if gets_values(reader, node) else None
     if called is not None:
         return called
     if node.child_by_field_name("body") is not None:
@@ -318,15 +315,15 @@ _READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
     "null": constant,
     "nullptr": constant,
     "this": lambda reader, node: THIS,
-    "identifier": _name,
-    "field_identifier": _name,
-    "type_identifier": _name,
-    "namespace_identifier": _name,
-    "qualified_identifier": _name,
-    "template_function": _name,
-    "template_type": _name,
-    "primitive_type": _name,
-    "dependent_name": _name,
+    "identifier": plain_name,
+    "field_identifier": plain_name,
+    "type_identifier": plain_name,
+    "namespace_identifier": plain_name,
+    "qualified_identifier": specialized,
+    "template_function": specialized,
+    "template_type": plain_name,
+    "primitive_type": plain_name,
+    "dependent_name": plain_name,
     "field_expression": _field,
     "call_expression": _call,
     "new_expression": _object,

@@ -43,6 +43,12 @@ class Name(_Node, frozen=True):
     id: str
 
 
+class Specialized(Name, frozen=True):
+    """A function of C++ with its template arguments, where it is not called: `&take<std_msgs::Bool>`."""
+
+    types: tuple[str, ...]
+
+
 class Member(_Node, frozen=True):
     """`base.name` or `base->name`."""
 
@@ -134,7 +140,20 @@ class Opaque(_Node, frozen=True):
 
 
 Expr: TypeAlias = (
-    Text | Number | Constant | Name | Member | Call | Op | Items | Table | Template | Lambda | Comprehension | Opaque
+    Text
+    | Number
+    | Constant
+    | Name
+    | Specialized
+    | Member
+    | Call
+    | Op
+    | Items
+    | Table
+    | Template
+    | Lambda
+    | Comprehension
+    | Opaque
 )
 
 THIS: Final = Name("this")
