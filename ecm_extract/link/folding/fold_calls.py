@@ -27,8 +27,9 @@ from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of_parameter
 from ecm_extract.link.folding.held_formats import with_format
 from ecm_extract.link.folding.instances import is_instance
-from ecm_extract.link.folding.names_of_nodes import RESOLVED_BY_HANDLE, namespace_of
-from ecm_extract.link.folding.of_templates import spelled
+from ecm_extract.link.folding.meant_names import called
+from ecm_extract.link.folding.names_of_nodes import resolved
+from ecm_extract.link.folding.path_parts import PATH_FUNCTIONS
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.folding.popped import POP
 from ecm_extract.link.folding.text_functions import TEXT_FUNCTIONS
@@ -75,6 +76,7 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
         "abs": lambda data: abs(data[0]) if len(data) == 1 and is_number(data[0]) else UNKNOWN,
         "min": lambda data: min(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
         "max": lambda data: max(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
+        **PATH_FUNCTIONS,
     }
 )
 _CPP_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
@@ -95,7 +97,7 @@ class CallFolder:
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
         call, env = self.folder.spreading.known(invocation_of(expr, env), env)
-        meant = spelled(call.path, env, self.folder.objects) if call.receiver is None else call.path
+        meant = called(call.path, env, self.folder.objects) if call.receiver is None else call.path
         if not meant:
             return (parameter(call.path, made=True),)
         if meant != call.path:
@@ -109,7 +111,7 @@ class CallFolder:
         tidied = is_resolver(call.last) or gives_name(call.path)
         plainly = call.receiver is None and (call.path in _SAME or call.last in STREAMS)
         if tidied and call.args:
-            return self._resolved(call, env.before(env.at))
+            return resolved(call, env.before(env.at), self.folder)
         if plainly:
             return self._same(call, env.before(env.at))
         if call.last == "getCameraInfoTopic" and call.args:
@@ -280,15 +282,6 @@ class CallFolder:
         if any(value.text.startswith(("/", "~")) or value.confidence == "pattern" for value in values):
             return values
         return joined([(node_namespace(),), (literal("/"),), values])
-
-    def _resolved(self, call: Invocation, env: Env) -> tuple[Value, ...]:
-        """A name as it is passed; `nh.resolveName(name)` gives it below the handle, whatever other one gets it."""
-        values = self.folder.fold(call.args[0], env)
-        of_handle = call.receiver is not None and call.last == RESOLVED_BY_HANDLE
-        space = namespace_of(call.receiver, env, self.folder) if of_handle and call.receiver is not None else None
-        if space is None or any(value.text.startswith(("/", "~")) for value in values):
-            return values
-        return joined([(space,), (literal("/"),), values])
 
     def _topic(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """The name that a publisher, subscription, service or client was made with."""

@@ -129,8 +129,9 @@ class HeldFolder:
 
     def _part(self, held: Held, env: Env) -> tuple[Value, ...]:
         """A part of an element of a list of which not all is known: who knows the list knows it."""
-        values = self.folder.lists.open.element(held.expr, env)
-        return values if any(map(given_holes, values)) else (unknown(_label(held.name)),)
+        values = self.folder.lists.open.part(held.expr, held.more, env)
+        is_known = any(given_holes(value) or value.parameter for value in values)
+        return values if is_known else (unknown(_label(held.name)),)
 
     def _by_default(self, held: Held, env: Env) -> tuple[Value, ...]:
         """What a member holds that somebody sets through a parameter, as long as nobody does."""
