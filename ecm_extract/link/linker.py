@@ -123,6 +123,7 @@ class Linker:
         self.folder.prefixes = self.handles.prefix
         self.typing = EndpointTypes(self.folder, self.types, packages)
         self.names = NodeNames(self.folder, self.sites, registry.classes)
+        self.handles.names = self.names.of_object
         self.given = ValuesGiven(self.names)
         self.generated = GeneratedParameters(self.sites, packages)
         self.parameter_sites: list[Site] = []

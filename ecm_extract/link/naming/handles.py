@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
@@ -22,7 +22,7 @@ from ecm_extract.link.naming.host_arguments import HostArguments
 from ecm_extract.link.naming.node_settings import NodeSettings
 from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.running.arguments import bind
-from ecm_extract.link.running.env import Bound, Env, invocation_of
+from ecm_extract.link.running.env import Bound, Env, Instance, invocation_of
 from ecm_extract.link.running.own_names import node_namespace
 from ecm_extract.link.running.values import Value, is_known, literal, unknown
 
@@ -44,6 +44,10 @@ NODE_SPACE: Final = "kw:namespace"
 """Where a node of rclpy is given its name and its namespace."""
 
 
+def _no_name(_made: Instance) -> None:
+    """Before anybody knows what nodes are called."""
+
+
 class Handles:
     """Evaluates receivers of endpoint calls. A handle that nothing in the tree makes is None within, and is told.
 
@@ -59,6 +63,7 @@ class Handles:
         self.sole = sole
         self.settings = NodeSettings(folder)
         self._handing: set[tuple[Func, str]] = set()
+        self.names: Callable[[Instance], str | None] = _no_name
 
     def of(self, expr: Expr | None, env: Env, only: bool = False) -> Handle:
         """Return the handle that an expression is; where `only` handles are taken, a text makes one of its namespace.
@@ -84,7 +89,8 @@ class Handles:
         if depth > MAX_DEPTH:
             return None
         if isinstance(expr, Call):
-            return self._call(invocation_of(expr, env), env, depth) or self._of_other(expr, env)
+            known = self._call(invocation_of(expr, env), env, depth)
+            return known or self._object(expr, env) or self._of_other(expr, env)
         if isinstance(expr, Op) and expr.op in {"&", "?:", "[]"}:  # one of several elements nobody tells apart
             chosen = () if expr.op == "[]" else expr.operands[expr.op == "?:" :]
             return agreed([self._known(each, env, depth + 1) for each in chosen])
@@ -93,6 +99,13 @@ class Handles:
         if isinstance(expr, Items) and env.func.file.language == "cpp":  # braces make the handle that is asked for
             return self._node_handle(expr.items, env, depth)
         return self._member(expr, env, depth) if isinstance(expr, Member) else OWN
+
+    def _object(self, expr: Call, env: Env) -> Handle | None:
+        """The node that an object of a class of the tree is which a call of C++ makes: `std::make_shared<Demo>()`."""
+        begun = self.folder.states.constructor(expr, env) if env.func.file.language == "cpp" else None
+        made = self.folder.objects.delegated(begun.made) if begun is not None and begun.made is not None else None
+        name = self.names(made) if made is not None else None
+        return Handle(literal(""), literal(name)) if name is not None else None
 
     def _of_other(self, expr: Call, env: Env) -> Handle | None:
         """What makes something else than a handle, as a duration that stands in its place, has no namespace."""

@@ -111,6 +111,11 @@ class NodeNames:
             return found
         return _agreed(made) or replace(found, text=_OPEN, space=_OPEN_SPACE)
 
+    def of_object(self, made: Instance) -> str | None:
+        """Return the name, with its namespace, of the node that an object is; None where that is not known."""
+        found = self._passed_on(made)
+        return found.in_graph if found is not None and not found.is_open else None
+
     def own_settings(self, unit: Cls | Func) -> Settings:
         """Return what a class gives the node that it is, or a program the node that it begins, whoever runs it."""
         if isinstance(unit, Func):

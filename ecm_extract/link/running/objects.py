@@ -40,6 +40,7 @@ HANDLES_OF_NODELETS: Final = frozenset(
 """Methods of nodelet::Nodelet (nodelet/nodelet.h) that give a handle."""
 _ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
 _TYPED_CALLS = shipped_names("link/code/library_values.toml", "typed_calls")
+_POINTER_CASTS = shipped_names("link/code/library_values.toml", "pointer_casts")
 _BUILT_IN = frozenset({"bool", "float", "int", "str"})
 """Classes of Python for values of parameters."""
 
@@ -139,8 +140,9 @@ class Objects:
 
     def _made_type(self, expr: Call, env: Env) -> str:
         """What the tree shows of a call, or the type that one of a library asks for: `node["a"].as<int>()`."""
-        typed = expr.types and invocation_of(expr, env).last in _TYPED_CALLS
-        return self._shown_type(expr, env) or (expr.types[0] if typed else "")
+        last = invocation_of(expr, env).last if expr.types else ""
+        asked = f"std::shared_ptr<{expr.types[0]}>" if last in _POINTER_CASTS else expr.types[0] if expr.types else ""
+        return self._shown_type(expr, env) or (asked if last in _TYPED_CALLS | _POINTER_CASTS else "")
 
     def _shown_type(self, expr: Call, env: Env) -> str:
         if isinstance(expr.callee, Name):

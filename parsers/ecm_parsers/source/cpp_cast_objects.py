@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import CAST, Call, Expr
+from ecm_parsers.source.expr import CAST, Call, Expr, Name
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -19,10 +19,13 @@ _REFERRING = ("*", "&")
 
 
 def object_cast(reader: ExprReader, node: Node) -> Expr:
-    """Return the object whose member is named, as a call of `CAST` where it is cast to a class."""
+    """Return the object whose member is named, as a call of `CAST` where it is cast, or of the class for a copy."""
     written = cast_type(reader, node)
     value = reader.read(node)
-    return Call(CAST, (value,), (), (written,), node.start_point[0] + 1) if written.endswith(_REFERRING) else value
+    if not written:
+        return value
+    referring = written.endswith(_REFERRING)
+    return Call(CAST if referring else Name(written), (value,), (), (written,) * referring, node.start_point[0] + 1)
 
 
 def cast_type(reader: ExprReader, node: Node) -> str:
