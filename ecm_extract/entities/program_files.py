@@ -14,11 +14,19 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.source_suffixes import is_included
 
+_ROS_2: Final = 2
+_EXPORTS: Final = ("ament_export_", "ament_auto_package")
+"""How commands begin that tell others where things are (ament_cmake; what is depended on tells nothing)."""
 _PROGRAMS: Final = frozenset({"programs", "python"})
 
 
 def of_programs(facts: PackageFacts) -> frozenset[str]:
-    """Return the headers of classes whose methods stand in sources that programs are built of, and no library."""
+    """Return the headers of classes whose methods stand in sources that programs are built of, and no library.
+
+    Where a package of ROS 2 builds nothing but programs and exports nothing, those are all its headers.
+    """
+    if _is_closed(facts):
+        return frozenset(path for path in facts.sources if is_included(path))
     if not _builds_programs(facts) or _is_any_in_libraries(facts):
         return frozenset()
     linked = _library_sources(facts)
@@ -43,6 +51,15 @@ def _places(source: SourceFile, homes: Mapping[str, set[bool]]) -> set[bool]:
 
 def _builds_programs(facts: PackageFacts) -> bool:
     return any(target.kind == "executable" and not target.is_test for target in _targets(facts))
+
+
+def _is_closed(facts: PackageFacts) -> bool:
+    """Whether nothing tells others of a package where its headers or libraries are: it is there to be started."""
+    kinds = {target.kind for target in _targets(facts) if not target.is_test}
+    names = {command.name for file in facts.cmake.values() for command in file.commands}
+    known = not any(file.unknown or file.foreign for file in facts.cmake.values())
+    told = any(name.startswith(_EXPORTS) for name in names - {"ament_export_dependencies"})
+    return facts.ros == _ROS_2 and kinds == {"executable"} and known and not told
 
 
 def _is_any_in_libraries(facts: PackageFacts) -> bool:

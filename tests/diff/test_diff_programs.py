@@ -17,12 +17,14 @@ INSTALLS = "install(DIRECTORY include/ DESTINATION include)\n"
         ("add_executable(arm src/arm.cpp)\nadd_library(armlib src/arm.cpp)\n", SOURCE, True),
         ("add_executable(arm src/arm.cpp)\nadd_library(other src/other.cpp)\n", SOURCE, False),
         ("add_executable(arm src/arm.cpp)\nadd_library(other ${SOURCES})\n", SOURCE, True),
-        ("add_executable(arm src/arm.cpp)\n", "int main() {}\n", True),
+        ("add_executable(arm src/arm.cpp)\n", "int main() {}\n", False),
+        ("add_executable(arm src/arm.cpp)\nament_export_include_directories(include)\n", "int main() {}\n", True),
+        ("add_executable(arm src/arm.cpp)\nadd_library(other src/other.cpp)\n", "int main() {}\n", True),
         ("add_executable(arm src/arm.cpp)\n", USING, False),
     ],
 )
 def test_headers_whose_code_only_a_program_has(told, build: str, source: str, is_public: bool) -> None:  # type: ignore[no-untyped-def]
-    """Nobody can link it; what stands in the header whole can be used."""
+    """Nobody can link it; what stands in the header whole can be used where others are told of the header."""
     make = f"project(arm)\n{build}install(TARGETS arm DESTINATION lib/arm)\n{INSTALLS}"
     old = {"arm/CMakeLists.txt": make, "arm/include/arm/arm.hpp": HEADER, "arm/src/arm.cpp": source}
     new = {"arm/include/arm/arm.hpp": HEADER.replace("move", "go"), "arm/src/arm.cpp": source.replace("move", "go")}
