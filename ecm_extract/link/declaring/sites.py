@@ -58,7 +58,8 @@ _ALSO = (
 """Calls that are looked up by name without being forms: behaviour tree ports, node names, loaders of plugins."""
 MAX_AGAIN = 3
 """Calls of a function by itself that are followed, one within the other."""
-MAX_EXPANSIONS = 50_000
+MAX_EXPANSIONS = 10_000
+"""Ways to one call that are told apart; overloads that call each other have a number of them that grows by powers."""
 
 
 class Sites:
@@ -152,15 +153,19 @@ class Sites:
     # --- wrappers --------------------------------------------------------------------------------------
 
     def _closed(self, site: Site) -> Iterable[Site]:
-        """Expand a site over its callers until nothing more is known; without callers it stands as it is."""
+        """Expand a site over its callers until nothing more is known; without callers it stands as it is.
+
+        So do all behind a number of them: what their callers would tell of the name is open, and no call is left out.
+        """
         pending = deque([site])
         closed: list[Site] = []
         widened: set[tuple[object, ...]] = set()
-        while pending and len(closed) < MAX_EXPANSIONS:
+        while pending:
+            is_full = len(closed) + len(pending) >= MAX_EXPANSIONS
             current = pending.popleft()
             if self._types.leads_elsewhere(current):
                 continue
-            wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
+            wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN and not is_full else []
             further = (current.certain, current.owner, *((each.chain, each.owner, each.env.this) for each in wider))
             if not wider or self._has_other_callers(current, wider):
                 closed.extend(map(self._spread_out, self.ways.in_each_state(current.as_written())))
