@@ -296,3 +296,24 @@ def test_names_of_all_rounds_are_told_without_a_doubt(workspace: Any) -> None:
     }
     assert {f"/{prefix}{each}" for prefix in ("", "deep_") for each in "abcdefghi"} <= names
     assert found.diagnostics == ()
+
+
+_READERS = 12
+
+
+def test_readers_that_call_each_other_end(workspace: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Twelve functions that call each other lead to one call in 12^5 ways; behind a number of them names are open."""
+    monkeypatch.setattr(sites, "MAX_EXPANSIONS", 200)
+    others = [
+        f"void read{at}(rclcpp::Node & node, std::string name) {{\n  node.declare_parameter(name, 1);\n"
+        + "".join(f'  read{to}(node, name + "/{to}");\n' for to in range(_READERS) if to != at)
+        + "}\n"
+        for at in range(_READERS)
+    ]
+    main = 'int main() { rclcpp::Node node("demo"); read0(node, "own"); }\n'
+    source = "#include <rclcpp/rclcpp.hpp>\n" + "".join(others) + main
+    workspace.package({"src/demo.cpp": source, "CMakeLists.txt": "add_executable(demo src/demo.cpp)"})
+    names = {entry.name for entry in workspace.interfaces() if entry.role == "parameter"}
+    assert "own" in names
+    assert any("{name}" in name for name in names)
+    assert len(names) < 200 * _READERS

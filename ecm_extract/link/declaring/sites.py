@@ -61,7 +61,8 @@ _ALSO = (
 """Calls that are looked up by name without being forms: behaviour tree ports, node names, loaders of plugins."""
 MAX_AGAIN = 3
 """Calls of a function by itself that are followed, one within the other."""
-MAX_EXPANSIONS = 50_000
+MAX_EXPANSIONS = 10_000
+"""Ways to one call that are told apart; overloads that call each other have a number of them that grows by powers."""
 
 
 class Sites:
@@ -157,15 +158,19 @@ class Sites:
     # --- wrappers --------------------------------------------------------------------------------------
 
     def _closed(self, site: Site) -> Iterable[Site]:
-        """Expand a site over its callers until nothing more is known; without callers it stands as it is."""
+        """Expand a site over its callers until nothing more is known; without callers it stands as it is.
+
+        So do all behind a number of them: what their callers would tell of the name is open, and no call is left out.
+        """
         pending = deque([site])
         closed: list[Site] = []
         widened: set[tuple[object, ...]] = set()
-        while pending and len(closed) < MAX_EXPANSIONS:
+        while pending:
+            is_full = len(closed) + len(pending) >= MAX_EXPANSIONS
             current = pending.popleft()
             if self._types.leads_elsewhere(current):
                 continue
-            wider = self._further(current)
+            wider = self._further(current, is_full)
             further = (current.certain, current.owner, *((each.chain, each.owner, each.env.this) for each in wider))
             if not wider or self._has_other_callers(current, wider):
                 closed.extend(map(self._spread_out, self.ways.in_each_state(current.as_written())))
@@ -175,17 +180,17 @@ class Sites:
             if wider and further not in widened:  # states of what was outermost make no difference further out
                 widened.add(further)
                 pending.extend(wider)
-        if pending:
-            self.folder.steps.give_up(site.env)
         closed += [replace(site, certain=False)] * any(map(self._goes_on, closed))
         return self._alike_in_all_states(closed)
 
-    def _further(self, site: Site) -> Sequence[Site]:
-        """A site seen from one call further out; where that is too far, the place is told."""
+    def _further(self, site: Site, is_full: bool) -> Sequence[Site]:
+        """A site seen from one call further out; where that is too far, or too much, the place is told."""
         wider = self._wider(site)
-        if len(site.chain) >= MAX_CHAIN and next(wider, None) is not None:
+        if not is_full and len(site.chain) < MAX_CHAIN:
+            return list(wider)
+        if next(wider, None) is not None:
             self.folder.steps.give_up(site.env)
-        return list(wider) if len(site.chain) < MAX_CHAIN else []
+        return []
 
     def _has_other_callers(self, site: Site, wider: Sequence[Site]) -> bool:
         """Tell whether somebody may call the outermost function of a site who is none of those that do."""
