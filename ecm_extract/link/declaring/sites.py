@@ -31,6 +31,7 @@ from ecm_extract.link.declaring.site_names import SiteNames
 from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.transports import transported
+from ecm_extract.link.declaring.unbound import bound
 from ecm_extract.link.declaring.ways_in import WaysIn
 from ecm_extract.link.declaring.wrappers import remember_wrapper
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
@@ -119,6 +120,7 @@ class Sites:
     def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func
         env = self.root_env(func, call.at)
+        call = bound(call)
         for each in (spread(call), *starred(call, self.program)):
             forms = list(self.matcher.fitting(self.folder.spreading.out(each, env).call, env))
             for row in forms:
@@ -296,9 +298,10 @@ class Sites:
             if call.func.holder is cls or (own and self.is_base_of(call, cls)):
                 continue
             if self.makes(call, cls) and call not in site.chain and self.folder.objects.may_run(site.root, cls, call):
-                exact = cls if own else site.exact
+                exact, sure = cls if own else site.exact, self.making.is_sure(cls)
                 for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
-                    each = replace(site, certain=site.certain and certain, exact=exact)
+                    known = site.certain and certain and sure
+                    each = replace(site, certain=known, sole=site.sole and sure, exact=exact)
                     yield self._made_at(each, cls, call, at, outer)
 
     def is_base_of(self, call: Invocation, cls: Cls) -> bool:
