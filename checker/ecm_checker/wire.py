@@ -25,7 +25,10 @@ MANIFEST_SCHEMA: Final = "ecm-extract/manifest/1"
 EXTRACT_SCHEMA: Final = "ecm-extract/extract/1"
 EVIDENCE_SCHEMA: Final = "ecm-extract/evidence/1"
 GAP_REASONS: Final = frozenset(
-    {"missing", "too-large", "unreadable", "malformed", "unjudged", "undecided", "generated"}
+    {
+        *("missing", "too-large", "unreadable", "malformed", "unjudged"),
+        *("stopped", "unfollowed", "outside", "undecided", "generated"),
+    }
 )
 """Why something was not read although nobody asked to leave it out."""
 

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 import msgspec
 
 from ecm_extract.diff.model import Comparison
 from ecm_extract.diff.unread import UnreadPart
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.tree import Unread, unread_of
-from ecm_extract.tree.unread import ON_PURPOSE, is_gap
+from ecm_extract.tree.unread import ON_PURPOSE, Reason, is_gap
+
+_OF_RULES: Final[frozenset[Reason]] = frozenset({"unjudged", "stopped"})
+"""What the rules leave out, which no comparison knows."""
 
 
 class Completeness(msgspec.Struct, frozen=True):
@@ -28,6 +33,7 @@ def completeness_of(workspace: Workspace, comparison: Comparison | None) -> Comp
     unread = unread_of(workspace.tree.diagnostics)
     if comparison is not None:
         gaps = [part for part in comparison.unread if part.limits and part.reason not in ON_PURPOSE]
-        unjudged = [each for each in unread if each.reason == "unjudged"]
-        return Completeness(not gaps and not unjudged, (*comparison.unread, *unjudged))
+        compared = {(part.reason, part.path) for part in comparison.unread}
+        own = [each for each in unread if each.reason in _OF_RULES and (each.reason, each.path) not in compared]
+        return Completeness(not gaps and not own, (*comparison.unread, *own))
     return Completeness(not any(map(is_gap, unread)), unread)

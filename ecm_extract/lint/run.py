@@ -51,7 +51,7 @@ def findings_of(
             if os.environ.get("ECM_DEBUG"):
                 raise
             message = f"{entry.rule.id} could not finish ({type(error).__name__}). The other rules are not affected."
-            unread = Unread(entry.rule.id, "unjudged")
+            unread = Unread(entry.rule.id, "stopped")
             workspace.tree.report(FileDiagnostic("warning", "rule-stopped", "", 0, message, unread))
     return sorted(_understood(_gravest(found.values()), workspace), key=_order)
 

@@ -17,7 +17,10 @@ _WHAT: Final[Mapping[Reason, str]] = {
     "too-large": "file(s) larger, deeper or slower to parse than what is read",
     "unreadable": "file(s) or folder(s) without permission, or cut off",
     "malformed": "package.xml that cannot be read as one",
-    "unjudged": "file(s) beyond what one run of lint judges, or rule(s) or function(s) at which it stopped",
+    "unjudged": "file(s) beyond what one run of lint judges",
+    "stopped": "rule(s), or file(s) with a function, at which ecm-extract stopped with a fault of its own",
+    "unfollowed": "file(s) with a function that takes more steps than are followed",
+    "outside": "file(s) that give a node to a function or class which is not in the tree",
     "undecided": "file(s) that call macros of which a build chooses the definition",
     "generated": "source(s) of programs or libraries that a build makes",
     "excluded": "pattern(s) of `exclude` in ecm.toml",
@@ -30,7 +33,10 @@ _DO: Final[Mapping[Reason, str]] = {
     "too-large": "split it, or leave it out on purpose with `exclude` in ecm.toml",
     "unreadable": "check the permissions and run again",
     "malformed": "correct it",
-    "unjudged": "lint the packages one by one; what stopped is a bug to report, with ECM_DEBUG=1",
+    "unjudged": "lint the packages one by one",
+    "stopped": "report it, with what ECM_DEBUG=1 prints",
+    "unfollowed": "split what is told of it, or read the packages one by one",
+    "outside": "read its package as well, or add a row for it to ecm.toml",
 }
 
 

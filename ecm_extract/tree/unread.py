@@ -16,6 +16,9 @@ Reason = Literal[
     "unreadable",
     "malformed",
     "unjudged",
+    "stopped",
+    "unfollowed",
+    "outside",
     "undecided",
     "generated",
     "excluded",
@@ -23,8 +26,9 @@ Reason = Literal[
     "link",
 ]
 """Why something was not read: not in this clone (content, submodule), above a bound, no permission, no well-formed
-manifest; beyond the number that one run judges, or at which it stopped; code that a build chooses, or makes; left out
-because the project asks for it (`exclude`, a marker); a link that leads out of the tree."""
+manifest; beyond the number that one run judges; a fault of this program at it; more steps than are followed; a node
+that code gets which is not in the tree; code that a build chooses, or makes; left out because the project asks for it
+(`exclude`, a marker); a link that leads out of the tree."""
 
 REASONS: Final[tuple[Reason, ...]] = get_args(Reason)
 ON_PURPOSE: Final[frozenset[Reason]] = frozenset({"excluded", "ignored", "link"})

@@ -205,7 +205,7 @@ def test_a_function_that_works_on_data_costs_the_others_nothing(
     assert {"/ab", "/s0", "/s19"} <= {entry.name for entry in interfaces}
     [told] = [entry for entry in found.diagnostics if entry.code == "function-left-out"]
     assert (told.line, told.message.split(",")[0]) == (5, "work takes too many steps to be followed to its end: values")
-    assert [entry.reason for entry in found.unread] == ["unjudged"]
+    assert [entry.reason for entry in found.unread] == ["unfollowed"]
 
 
 def test_a_run_that_has_no_steps_left_is_a_gap(workspace: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -213,7 +213,7 @@ def test_a_run_that_has_no_steps_left_is_a_gap(workspace: Any, monkeypatch: pyte
     monkeypatch.setattr(steps, "LEAST_RUN", 20)
     monkeypatch.setattr(steps, "MAX_PER_STATEMENT", 0)
     found = _driver(workspace, _PLACES["name"] * 40)
-    assert [entry.reason for entry in found.unread] == ["unjudged"]
+    assert [entry.reason for entry in found.unread] == ["unfollowed"]
     assert [entry.code for entry in found.diagnostics if "all steps" in entry.message] == ["function-left-out"]
 
 
@@ -227,7 +227,7 @@ def test_a_name_behind_too_many_functions_is_told(workspace: Any, count: int, is
     found = extract(open_tree(workspace.root), Options(jobs=1))
     told = [(entry.code, entry.line) for entry in found.diagnostics]
     assert told == [("values-left-out", count + 2)] * is_told
-    assert [entry.reason for entry in found.unread] == ["unjudged"] * is_told
+    assert [entry.reason for entry in found.unread] == ["unfollowed"] * is_told
 
 
 def test_tests_behind_tests_that_nothing_passes_end(workspace: Any) -> None:

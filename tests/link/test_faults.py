@@ -49,7 +49,7 @@ def test_a_fault_costs_one_function_and_is_a_gap(workspace: Any) -> None:
     assert "rate_x" not in names
     (told,) = [each for each in found.diagnostics if each.code == CODE]
     assert (told.path, told.line) == ("pkg/src/d.cpp", 3)
-    assert [(each.path, each.reason) for each in found.unread] == [("pkg/src/d.cpp", "unjudged")]
+    assert [(each.path, each.reason) for each in found.unread] == [("pkg/src/d.cpp", "stopped")]
 
 
 @pytest.mark.usefixtures("stumbling")

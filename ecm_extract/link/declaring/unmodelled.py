@@ -20,6 +20,7 @@ from ecm_extract.link.running.env import Env
 from ecm_extract.tree import FileDiagnostic, Unread, printable
 
 CODE: Final = "handle-given-outside"
+COMPUTED: Final = "method-by-computed-name"
 _HANDLE: Final = "NodeHandle"
 _LANGUAGE: Final = frozenset({"std", "boost", "ros"})
 """Namespaces whose functions declare nothing but what rows tell of."""
@@ -102,5 +103,6 @@ def _told(path: str, name: str, line: int) -> FileDiagnostic:
         f"{asked} asks a node for a method by a name that is put together: what that declares is not told. "
         "Call the method by its name, or by a table of methods."
     )
-    text = made_up if name == MADE_UP else given
-    return FileDiagnostic("warning", CODE, shown, line, text, Unread(shown, "unjudged"))
+    if name == MADE_UP:
+        return FileDiagnostic("warning", COMPUTED, shown, line, made_up, Unread(shown, "unfollowed"))
+    return FileDiagnostic("warning", CODE, shown, line, given, Unread(shown, "outside"))

@@ -160,7 +160,7 @@ def _told_of(func: Func) -> FileDiagnostic:
         f"{printable(func.fact.name)} takes too many steps to be followed to its end: values, and what it declares "
         "with them, may be missing; split it, or keep what is declared out of its loops."
     )
-    return FileDiagnostic("warning", CODE, path, func.fact.line, text, Unread(path, "unjudged"))
+    return FileDiagnostic("warning", CODE, path, func.fact.line, text, Unread(path, "unfollowed"))
 
 
 def _told_end(func: Func) -> FileDiagnostic:
@@ -170,7 +170,7 @@ def _told_end(func: Func) -> FileDiagnostic:
         f"Here, in {printable(func.fact.name)}, this run had taken all steps that it has: values behind it, and what "
         "is declared with them, may be missing; read the packages one by one."
     )
-    return FileDiagnostic("warning", CODE, path, func.fact.line, text, Unread(path, "unjudged"))
+    return FileDiagnostic("warning", CODE, path, func.fact.line, text, Unread(path, "unfollowed"))
 
 
 def _told(path: str, line: int) -> FileDiagnostic:
@@ -184,7 +184,7 @@ def _told_depth(path: str, line: int) -> FileDiagnostic:
         "The name of an endpoint here lies behind more functions, branches or objects than are followed, so it is "
         f"unknown; {_HINT}."
     )
-    return FileDiagnostic("warning", _VALUES, printable(path), line, text, Unread(printable(path), "unjudged"))
+    return FileDiagnostic("warning", _VALUES, printable(path), line, text, Unread(printable(path), "unfollowed"))
 
 
 def _place(env: Env) -> tuple[str, int]:

@@ -37,4 +37,4 @@ class Faults:
                 f"`{unit.fact.name}` could not be followed to its end ({kind}): what it declares may be missing. "
                 "This is a fault of ecm-extract: report it, with what ECM_DEBUG=1 prints."
             )
-            yield FileDiagnostic("error", CODE, path, unit.fact.line, text, Unread(path, "unjudged"))
+            yield FileDiagnostic("error", CODE, path, unit.fact.line, text, Unread(path, "stopped"))
