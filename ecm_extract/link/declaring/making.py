@@ -30,6 +30,16 @@ class Making:
         path = call.path.replace(".", "::") if call.func.file.language == "cpp" else call.path
         return self.program.class_named(path, call.func.file, call.func.scope) is cls
 
+    def is_sure(self, cls: Cls) -> bool:
+        """Tell whether each call of a class makes an object: a metaclass of Python may give one of before."""
+        lineage = self.program.ancestry(cls)
+        return not any("remade" in each.fact.traits and not each.fact.decorators for each in lineage)
+
+    def is_base_of(self, call: Invocation, cls: Cls) -> bool:
+        """Tell whether a call makes the base of a derived object, which is no object of its own."""
+        maker = call.func.cls
+        return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
+
     def made(self, call: Invocation, cls: Cls) -> Cls | None:
         """Return the class of which a call makes an object with the methods of a class: itself, or a derived one."""
         return next((each for each in (cls, *self.program.derived(cls)) if self.makes(call, each)), None)

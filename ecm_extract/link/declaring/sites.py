@@ -31,6 +31,7 @@ from ecm_extract.link.declaring.site_names import SiteNames
 from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.transports import transported
+from ecm_extract.link.declaring.unbound import bound
 from ecm_extract.link.declaring.unheard import heard
 from ecm_extract.link.declaring.ways_in import WaysIn
 from ecm_extract.link.declaring.wrappers import remember_wrapper
@@ -121,6 +122,7 @@ class Sites:
     def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func
         env = self.root_env(func, call.at)
+        call = bound(call)
         for each in (spread(call), *starred(call, self.program)):
             forms = list(self.matcher.fitting(self.folder.spreading.out(each, env).call, env))
             for row in forms:
@@ -308,18 +310,18 @@ class Sites:
         for derived in self.program.derived(cls) if own else ():
             yield self._spread_out(self.ways.of_class(site, derived))
         for call in self.calls.get(cls.fact.name, ()):
-            if call.func.holder is cls or (own and self.is_base_of(call, cls)):
+            if call.func.holder is cls or (own and self.making.is_base_of(call, cls)):
                 continue
-            if self.makes(call, cls) and call not in site.chain and self.folder.objects.may_run(site.root, cls, call):
-                exact = cls if own else site.exact
+            if (
+                self.making.makes(call, cls)
+                and call not in site.chain
+                and self.folder.objects.may_run(site.root, cls, call)
+            ):
+                exact, sure = cls if own else site.exact, self.making.is_sure(cls)
                 for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
-                    each = replace(site, certain=site.certain and certain, exact=exact)
+                    known = site.certain and certain and sure
+                    each = replace(site, certain=known, sole=site.sole and sure, exact=exact)
                     yield self._made_at(each, cls, call, at, outer)
-
-    def is_base_of(self, call: Invocation, cls: Cls) -> bool:
-        """Tell whether a call makes the base of a derived object, which is no object of its own."""
-        maker = call.func.cls
-        return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
 
     def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int, outer: Env) -> Site:
         return self._widened(site, call, outer, self._in_made(Env(site.root, at), cls, call, outer))
@@ -343,12 +345,8 @@ class Sites:
         """Yield a place once for each call in the tree that makes the object at hand; nothing for functions."""
         cls = func.holder
         for call in self.calls.get(cls.fact.name, ()) if cls is not None else ():
-            if cls is not None and call.func.cls is not cls and self.makes(call, cls):
+            if cls is not None and call.func.cls is not cls and self.making.makes(call, cls):
                 yield self._in_made(Env(func, at), cls, call, self.root_env(call.func, call.at))
 
     def _made(self, cls: Cls) -> Iterator[tuple[Invocation, Env]]:
-        return ((call, self._place(call)) for call in self.calls.get(cls.fact.name, ()) if self.makes(call, cls))
-
-    def makes(self, call: Invocation, cls: Cls) -> bool:
-        """Tell whether a call makes an object of a class."""
-        return self.making.makes(call, cls)
+        return ((call, self._place(call)) for call in self.calls.get(cls.fact.name, ()) if self.making.makes(call, cls))

@@ -222,8 +222,9 @@ class MemberFolder:
         return cls.file.language == "cpp" and any(each not in making for each in known)
 
     def _is_others(self, name: str, cls: Cls) -> bool:
-        """Tell whether a function that has the object of a node changes its member, before a method asks for it."""
-        return class_kind(cls, self.folder.program) is not None and self.folder.changed_outside.is_changed(name, cls)
+        """Tell whether a function that has the object of a node, or any of Python, changes its member meanwhile."""
+        asked = cls.file.language == "python" or class_kind(cls, self.folder.program) is not None
+        return asked and self.folder.changed_outside.is_changed(name, cls)
 
     def _reads_of(self, method: Func, name: str) -> Collection[int]:
         """The statements whose reads of parameters the run of a method has followed into the member."""

@@ -229,10 +229,10 @@ class NodeNames:
         """The names that the places give a node which make it; none where its constructor is not known."""
         found: list[NodeName | None] = []
         for call in self.sites.calls.get(cls.fact.name, ()):
-            if self.sites.makes(call, cls) and call.func.cls is not cls:
+            if self.sites.making.makes(call, cls) and call.func.cls is not cls:
                 constructor = self.folder.objects.constructor(cls, call)
                 if constructor is None and call.args and self._hands_on(cls):
-                    found += [] if self.sites.is_base_of(call, cls) else [self._given_to_base(call)]
+                    found += [] if self.sites.making.is_base_of(call, cls) else [self._given_to_base(call)]
                     continue
                 if constructor is None:
                     return ()

@@ -33,7 +33,7 @@ def _made(site: Site, sites: Sites, modules: Modules) -> Cls | None:
     followed = (*site.chain[1:], site.call)
     for call, inner in reversed(list(zip(site.chain, followed, strict=False))):
         for cls in _run_on(inner, site, sites):
-            if cls in modules.by_class and _is_home(call, cls) and sites.makes(call, cls):
+            if cls in modules.by_class and _is_home(call, cls) and sites.making.makes(call, cls):
                 return cls
     return None
 

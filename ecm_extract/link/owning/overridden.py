@@ -77,6 +77,6 @@ class Overridden:
     def _makes(self, module: Module, cls: Cls) -> bool:
         if self.sites.other_makers.has(cls):
             return True
-        calls = (call for call in self.sites.calls.get(cls.fact.name, ()) if self.sites.makes(call, cls))
-        makers = (call.func for call in calls if not self.sites.is_base_of(call, cls))
+        calls = (call for call in self.sites.calls.get(cls.fact.name, ()) if self.sites.making.makes(call, cls))
+        makers = (call.func for call in calls if not self.sites.making.is_base_of(call, cls))
         return any(self.reach.reaches(module, [maker]) for maker in makers)

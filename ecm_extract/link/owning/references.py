@@ -119,13 +119,13 @@ class References:
     def _factories(self, cls: Cls) -> Iterator[Func]:
         """Yield the methods that need no object and make one: singletons, factories."""
         for call in self.sites.calls.get(cls.fact.name, ()):
-            if call.func.cls is cls and call.func.holder is None and self.sites.makes(call, cls):
+            if call.func.cls is cls and call.func.holder is None and self.sites.making.makes(call, cls):
                 yield call.func
         yield from (method for method in cls.methods if makes_own_class(method))
 
     def _makers(self, cls: Cls) -> Iterator[Unit]:
         for call in self.sites.calls.get(cls.fact.name, ()):
-            if self.sites.makes(call, cls):
+            if self.sites.making.makes(call, cls):
                 yield call.func.holder or call.func
         yield from (func.holder or func for func in self.handing(cls))
 

@@ -53,6 +53,8 @@ class ChangedOutside:
 
     def owns(self, func: Func, owner: Expr, cls: Cls) -> bool:
         """Whether an object that a function changes is of a class, or of one that derives from it."""
+        if _is_element(func, owner):
+            return self._may_own(func, owner, cls)
         known = self._class_of(func, owner) is not None
         return self._may_own(func, owner, cls) if known else self._is_passed(func, owner, cls)
 
@@ -108,6 +110,10 @@ class ChangedOutside:
     def _changing(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:
         """Name of a field -> the functions that change it, or a part of it, with the object that it lies in."""
         found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
+        for func in (each for each in self.functions if each.file.language == "python"):
+            for target in (entry.target for entry in func.fact.body if entry.kind != "do"):
+                if isinstance(target, Member) and isinstance(target.base, Op):
+                    found[target.name].append((func, target.base))
         kept = ((each.func, each.key) for each in self.folder.kept_parts.all())
         for func, key in (*self._changed_keys(), *kept):
             for owner, field in _owned(key):
@@ -130,6 +136,12 @@ class ChangedOutside:
             for expr, _ in expressions(statement):
                 if isinstance(expr, Op) and expr.op == "&" and len(expr.operands) == 1:
                     yield effects.root(expr.operands[0])
+
+
+def _is_element(func: Func, owner: Expr) -> bool:
+    """Whether an object is an element of something of Python, of which nobody needs to say the class."""
+    looped = (entry.target for entry in func.fact.body if entry.kind == "each")
+    return func.file.language == "python" and (isinstance(owner, Op) or owner in {*looped})
 
 
 def _refers(statement: Statement) -> bool:
