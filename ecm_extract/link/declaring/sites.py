@@ -306,17 +306,13 @@ class Sites:
     def _makers(self, site: Site, cls: Cls) -> Iterator[Site]:
         """One site for each class that derives from `cls`, and for each place that makes one."""
         at = self._first(site).at
-        own = site.owner is site.root.cls
+        own, may_run = site.owner is site.root.cls, self.folder.objects.may_run
         for derived in self.program.derived(cls) if own else ():
             yield self._spread_out(self.ways.of_class(site, derived))
         for call in self.calls.get(cls.fact.name, ()):
             if call.func.holder is cls or (own and self.making.is_base_of(call, cls)):
                 continue
-            if (
-                self.making.makes(call, cls)
-                and call not in site.chain
-                and self.folder.objects.may_run(site.root, cls, call)
-            ):
+            if self.making.makes(call, cls) and call not in site.chain and may_run(site.root, cls, call):
                 exact, sure = cls if own else site.exact, self.making.is_sure(cls)
                 for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
                     known = site.certain and certain and sure
