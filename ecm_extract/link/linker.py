@@ -14,7 +14,7 @@ from ecm_parsers.source.expr import Name, Text
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
 from ecm_extract.link.declaring.listed import defaults_of, listed_parameters
-from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, latch_argument, positions
+from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, latch_argument
 from ecm_extract.link.declaring.parameters import Home, Parameters
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
@@ -117,7 +117,7 @@ class Linker:
         self.registry = registry = build_registry(self.program, packages)
         also, plugins = (*observation_forms(), *SUMMARIES, LISTENER), plugins_of(self.program, registry)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
-        self.unmodelled = Unmodelled(self.folder, self.sites.calls.keys() | forms.keys())
+        self.unmodelled = Unmodelled(self.folder, self.sites.calls.keys() | forms.keys(), forms)
         makers = SeenMakers(self.program, registry.classes)
         self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, makers))
         self.folder.prefixes = self.handles.prefix
@@ -328,7 +328,7 @@ class Linker:
         if form.items:
             listed = [(each.name, each.default) for each in listed_parameters(site, self.folder)]
             return listed or [(unknown("parameters"), None)]
-        values = self.sites.names.told(site)
+        values = self.sites.names.told(site, self.sites.handed_roots.has(site))
         expr = default_of(site, values, self.folder)
         default = Bound(expr, site.env) if expr is not None else None
         place = place_at(site, self.folder)
@@ -338,7 +338,7 @@ class Linker:
         form = site.form
         if not form.row.streams and (ros == 1 or not form.profile):
             return None
-        given = next((expr for expr in positions(form.qos, site.call) if not is_callback(expr)), None)
+        given = next((expr for expr in self.sites.handed_roots.profiles(site) if not is_callback(expr)), None)
         if ros == 1:
             return self.qos.depth(given, latch_argument(form, site.call), site.env)
         return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)

@@ -42,3 +42,45 @@ def test_who_gets_a_node_and_a_name_is_told(workspace: Any, head: str, call: str
     told = [entry for entry in found.diagnostics if entry.code == "handle-given-outside"]
     assert [entry.message.partition(" ")[0] for entry in told] == expected
     assert [entry.reason for entry in found.unread] == ["outside"] * len(expected)
+
+
+PYTHON = """
+import logging
+import outside
+from outside.parts import Widget
+from rclpy.node import Node
+from std_msgs.msg import String
+from . import own
+class Demo(Node):
+    def __init__(self, kind):
+        super().__init__("demo")
+        {call}
+    def setup_a(self, name):
+        pass
+def main():
+    node = Node("demo")
+    {other}
+    Demo("client")
+"""
+PYTHON_CALLS = {
+    "a class outside": ('Widget(self, "status")', "", ["outside.parts.Widget"]),
+    "a name that is put together": ('outside.add(node=self, name=f"x_{kind}")', "", ["outside.add"]),
+    "a node that is no class": ("", 'outside.add(node, "status")', ["outside.add"]),
+    "a function of the tree": ('own.add(self, "status")', "", []),
+    "no node": ('Widget(kind, "status")', "", []),
+    "no name": ("Widget(self)", "", []),
+    "the library of Python": ('logging.info("%s", self)', "", []),
+    "a method that declares, by its name in parts": ('getattr(self, "create_" + "client")(String, "x")', "", []),
+    "a method that may declare": ('getattr(self, f"create_{kind}")(String, "x")', "", ["getattr"]),
+    "a method that does not": ('getattr(self, f"setup_{kind}")("x")', "", []),
+}
+
+
+@pytest.mark.parametrize(("call", "other", "expected"), PYTHON_CALLS.values(), ids=PYTHON_CALLS)
+def test_what_nobody_sees_of_python_is_told(workspace: Any, call: str, other: str, expected: list[str]) -> None:
+    """Who hands a node of Python outside with a name, or asks it for a method by a made-up name, leaves a gap."""
+    text = PYTHON.format(call=call or "pass", other=other or "pass")
+    workspace.package({"pkg/__init__.py": "", "pkg/own.py": "def add(node, name):\n    pass\n", "pkg/demo.py": text})
+    found = extract(open_tree(workspace.root), Options(jobs=1))
+    told = [entry for entry in found.diagnostics if entry.code == "handle-given-outside"]
+    assert [entry.message.partition(" ")[0] for entry in told] == expected

@@ -53,9 +53,9 @@ class Callables(NamedTuple):
 
     def _element(self, callee: Call | Op) -> Expr | None:
         """`makers["pub"]`, `makers.get("pub")`."""
-        base, key = _subscript(callee)
+        base, key = element_of(callee)
         table = self.variables.get(base.id) if isinstance(base, Name) else base
-        entries = table.entries if isinstance(table, Table) and isinstance(key, Text) else ()
+        entries = table.entries if isinstance(table, Table) and key is not None else ()
         if not all(isinstance(each, Text) for each, _ in entries):
             return None
         found = next((value for each, value in reversed(entries) if each == key), None)
@@ -72,10 +72,32 @@ def callable_of(value: Expr | None, imported: Mapping[str, str]) -> Expr | None:
         value.callee == Name("getattr")
         and len(value.args) == 2
         and not value.keywords
-        and isinstance(value.args[1], Text)
+        and (name := text_of(value.args[1])) is not None
     ):
-        return Member(value.args[0], value.args[1].value) if object_of(value.args[0]) else None
+        return Member(value.args[0], name) if object_of(value.args[0]) else None
     return value if value.args and full_name(dotted(value.callee) or "", imported) == _PARTIAL else None
+
+
+def text_of(expr: Expr) -> str | None:
+    """Return a text, be it put together of several: `"create_" + "client"`; None of anything else."""
+    if isinstance(expr, Op) and expr.op == "+":
+        parts = [text_of(each) for each in expr.operands]
+        return None if None in parts else "".join(each for each in parts if each is not None)
+    return expr.value if isinstance(expr, Text) else None
+
+
+def element_of(expr: Call | Op) -> tuple[Expr | None, Text | None]:
+    """Return the table and the key of `makers["pub"]` and `makers.get("pub")`; nothing of anything else."""
+    if isinstance(expr, Op):
+        base, key = expr.operands if expr.op == "[]" and len(expr.operands) == 2 else (None, None)
+    else:
+        gets = isinstance(expr.callee, Member) and expr.callee.name == "get" and len(expr.args) == 1
+        base, key = (
+            (expr.callee.base, expr.args[0])
+            if gets and isinstance(expr.callee, Member) and not expr.keywords
+            else (None, None)
+        )
+    return (base, key) if isinstance(key, Text) else (None, None)
 
 
 def held_callables(function: Function, imported: Mapping[str, str]) -> Mapping[str, Expr]:
@@ -163,13 +185,6 @@ def _completed(partial: Call, call: Call) -> Call:
 
 def _of(callee: Expr, call: Call) -> Call:
     return Call(callee, call.args, call.keywords, call.types, call.line, call.keyword_lines)
-
-
-def _subscript(expr: Call | Op) -> tuple[Expr | None, Expr | None]:
-    if isinstance(expr, Op):
-        return (expr.operands[0], expr.operands[1]) if expr.op == "[]" and len(expr.operands) == 2 else (None, None)
-    gets = isinstance(expr.callee, Member) and expr.callee.name == "get" and len(expr.args) == 1 and not expr.keywords
-    return (expr.callee.base, expr.args[0]) if gets and isinstance(expr.callee, Member) else (None, None)
 
 
 def _name_of(value: Expr) -> Name | None:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.overloads import best, scored
+from ecm_extract.link.code.own import is_super
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.closures import around, handed_to, is_returned, uses, uses_handed
@@ -111,6 +112,8 @@ class CallTargets:
     def _method_means(self, call: Invocation, func: Func, cls: Cls) -> bool:
         if "::" in call.path or (call.receiver is None and not call.simple):
             return cls in self._named_classes(call)
+        if is_super(call.receiver) and call.func.cls is not None and not func.is_constructor:
+            return func in self._of_bases(call, call.func.cls)
         known = self._receivers.get(call)
         if known is None:
             known = self._receivers[call] = self._classes(call)
@@ -119,6 +122,11 @@ class CallTargets:
         if func.file.language == "python" or func.is_constructor:
             return cls in self.folder.program.ancestry(known) or self._fills(func, cls, known)
         return self._dispatching.may_mean(call, func, known)
+
+    def _of_bases(self, call: Invocation, own: Cls) -> Iterator[Func]:
+        """The methods that `super().name()` may mean, of objects of a class and of those that derive from it."""
+        for this in (own, *self.folder.program.derived(own)):
+            yield from self.folder.objects.methods_of_base(call, own, this)
 
     def _fills(self, func: Func, cls: Cls, base: Cls) -> bool:
         """Whether a method of Python is what a derived class has for an abstract one of a base, which never runs."""

@@ -19,11 +19,12 @@ from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.data import plain_type
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.interfaces.types import Types
+from ecm_extract.link.running.class_lines import ahead
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import Hole, Value
 
-MAX_CHAIN = 5
-"""Calls through which a handle or a profile is followed."""
+MAX_CHAIN = 8
+"""Calls through which a name, a handle or a profile is followed."""
 _OF_TABLES: Final = frozenset({"get", "pop"})
 _INITIALISING = frozenset({"init", "let", "set"})
 """Statements by which a constructor makes a member: in its initialiser list, or in its body."""
@@ -63,7 +64,8 @@ class Openness:
             return frozenset()
         asked = {label for value in names for label in _unknown(value)}
         used = asked.union(*map(_attributes, _deciding(site))) if owner.file.language == "python" else asked
-        fields = (entry.fields.get(name) for name in used for entry in derived if owner.file.language == "python")
+        others = ahead(owner, self.folder.program) if owner.file.language == "python" else ()
+        fields = (entry.fields.get(name) for name in used for entry in others)
         own = (field.name for field in fields if field is not None and field.default is not None)
         return frozenset(own) | self._methods(owner, derived, used)
 
@@ -76,7 +78,7 @@ class Openness:
         others = [entry for each in derived for entry in program.ancestry(each)] if asked else []
         theirs = set(_with_bodies(others))
         if owner.file.language == "python":
-            return frozenset(asked & {method.fact.name for each in derived for method in each.methods})
+            return frozenset(asked & {method.fact.name for each in ahead(owner, program) for method in each.methods})
         return frozenset(asked & theirs - set(_with_bodies(program.ancestry(owner))))
 
     def _origin(
@@ -90,7 +92,7 @@ class Openness:
         made: frozenset[str] = frozenset()
         pending: Iterable[tuple[Expr | None, Env]] = [(expr, site.env)]
         around = list(self.folder.nesting.around(site.root))
-        for _ in range(MAX_CHAIN):
+        for _ in range(2 * (MAX_CHAIN + 1)):  # in each function its parameter, and the member that is made of it
             if accepts == self._is_made_of:
                 pending = [(part, env) for each, env in pending for part in _parts(each)]
             for each, env in pending:

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from ecm_parsers.source.expr import Expr
+
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import names_in
 from ecm_extract.link.declaring.forms import Form
 from ecm_extract.link.folding.spreading import Spread
 from ecm_extract.link.running.env import Env
@@ -52,6 +55,11 @@ class Site:
     def is_absolute(self) -> bool:
         """Whether its row implies the whole name, which no handle and no node changes."""
         return self.form.fixed.startswith("/")
+
+    def takes(self, expr: Expr) -> bool:
+        """Whether an argument is made of what the outermost function is given, and nobody says what that is."""
+        open_ = self.root.given - self.env.args.keys() if self.env.func is self.root else frozenset[str]()
+        return not open_.isdisjoint(names_in(expr))
 
     def steps(self) -> Iterator[tuple[Invocation, Env]]:
         """Yield each call with where it is evaluated, outermost call first."""

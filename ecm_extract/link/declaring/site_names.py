@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from ecm_extract.link.declaring.match import name_argument
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.steps import is_left_out, is_too_deep
-from ecm_extract.link.running.values import Value
+from ecm_extract.link.running.values import Value, without_defaults
+
+_HANDED: Final = frozenset({"param", "made"})
+"""Kinds of holes of which the callers of a function know."""
 
 
 class SiteNames:
@@ -30,11 +35,17 @@ class SiteNames:
             known = self._known[site] = values
         return known
 
-    def told(self, site: Site) -> tuple[Value, ...]:
-        """Return the names of a site that is told, and note it where a bound left some out."""
+    def told(self, site: Site, is_open: bool) -> tuple[Value, ...]:
+        """Return the names of a site that is told, and note it where a bound left some out.
+
+        Args:
+            site: the site.
+            is_open: whether somebody may hand its outermost function something else than the defaults that this has.
+        """
         values = self.of(site)
         if any(map(is_left_out, values)):
             self.folder.steps.leave_out(site.env)
         if any(map(is_too_deep, values)):
             self.folder.steps.give_up(site.env)
-        return values
+        others = (without_defaults(value, _HANDED) for value in values) if is_open else ()
+        return tuple(dict.fromkeys((*values, *others)))

@@ -18,10 +18,12 @@ from ecm_extract.link.declaring.closures import given, is_of_parameter
 from ecm_extract.link.declaring.deciding import deciding
 from ecm_extract.link.declaring.dispatching import Dispatching
 from ecm_extract.link.declaring.escaping import escaping, handed_makers
+from ecm_extract.link.declaring.handed_roots import HandedRoots
 from ecm_extract.link.declaring.making import Making
 from ecm_extract.link.declaring.match import Matcher
 from ecm_extract.link.declaring.node_interfaces import with_one_node
 from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
+from ecm_extract.link.declaring.other_makers import OtherMakers
 from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.declaring.prefixes import prefixed
 from ecm_extract.link.declaring.site import Site, overrides
@@ -29,6 +31,7 @@ from ecm_extract.link.declaring.site_names import SiteNames
 from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.transports import transported
+from ecm_extract.link.declaring.unheard import heard
 from ecm_extract.link.declaring.ways_in import WaysIn
 from ecm_extract.link.declaring.wrappers import remember_wrapper
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
@@ -95,11 +98,13 @@ class Sites:
             self.calls[call.last].append(call)
         self._given = GivenFunctions(self.folder)
         self.dispatching = Dispatching(self.folder, self.plugins)
+        self.other_makers = OtherMakers(self.making, self.calls, self._given)
+        self.handed_roots = HandedRoots(self._given, self.other_makers)
         self._calls_of = CallTargets(self.dispatching, self.calls, self._place)
         self.folder.states.callers.find = self._calling
         self.folder.states.callers.making = self._made
         self.folder.lasting.find()
-        matcher.undeclared.makers = self._making
+        matcher.undeclared.makers = lambda cls: (call.func for call, _ in self._made(cls))
         matcher.undeclared.callers = self._askers
 
     def find(self, parameters: bool) -> list[Site]:
@@ -110,7 +115,7 @@ class Sites:
             for call in self._dead.without(self.calls.get(last, ())):
                 with self.folder.faults.of(call.func):
                     found += [closed for site in self._direct(call, parameters) for closed in self._closed(site)]
-        return found
+        return heard(found, self.matcher.undeclared, self.program) if parameters else found
 
     def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func
@@ -160,15 +165,27 @@ class Sites:
             current = pending.popleft()
             if self._types.leads_elsewhere(current):
                 continue
-            wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
+            wider = self._further(current)
             further = (current.certain, current.owner, *((each.chain, each.owner, each.env.this) for each in wider))
             if not wider or self._has_other_callers(current, wider):
                 closed.extend(map(self._spread_out, self.ways.in_each_state(current.as_written())))
+            elif self.other_makers.are_left_out(current, wider):
+                alone = replace(self.ways.of_class(current, current.owner), certain=False, sole=False)
+                closed.extend(map(self._spread_out, self.ways.in_each_state(alone)))
             if wider and further not in widened:  # states of what was outermost make no difference further out
                 widened.add(further)
                 pending.extend(wider)
+        if pending:
+            self.folder.steps.give_up(site.env)
         closed += [replace(site, certain=False)] * any(map(self._goes_on, closed))
         return self._alike_in_all_states(closed)
+
+    def _further(self, site: Site) -> Sequence[Site]:
+        """A site seen from one call further out; where that is too far, the place is told."""
+        wider = self._wider(site)
+        if len(site.chain) >= MAX_CHAIN and next(wider, None) is not None:
+            self.folder.steps.give_up(site.env)
+        return list(wider) if len(site.chain) < MAX_CHAIN else []
 
     def _has_other_callers(self, site: Site, wider: Sequence[Site]) -> bool:
         """Tell whether somebody may call the outermost function of a site who is none of those that do."""
@@ -284,12 +301,7 @@ class Sites:
         at = self._first(site).at
         own = site.owner is site.root.cls
         for derived in self.program.derived(cls) if own else ():
-            made = Instance(derived, {}, {}, exact=True)
-            part = self.folder.objects.part(made, cls)
-            types = dict(part.types) if part is not None else {}
-            root = Env(site.root, at, {}, types, derived, made)
-            *places, env = self.ways.inside(site, root)
-            yield replace(self.placed(site, env), owner=derived, places=tuple(places), exact=derived)
+            yield self._spread_out(self.ways.of_class(site, derived))
         for call in self.calls.get(cls.fact.name, ()):
             if call.func.holder is cls or (own and self.is_base_of(call, cls)):
                 continue
@@ -331,9 +343,6 @@ class Sites:
 
     def _made(self, cls: Cls) -> Iterator[tuple[Invocation, Env]]:
         return ((call, self._place(call)) for call in self.calls.get(cls.fact.name, ()) if self.makes(call, cls))
-
-    def _making(self, cls: Cls) -> Iterator[Func]:
-        return (call.func for call, _ in self._made(cls))
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""

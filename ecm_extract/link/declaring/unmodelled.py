@@ -1,4 +1,4 @@
-"""Functions of C++ that no source shows and no row tells of, which get a node and a name: what they declare."""
+"""Functions that no source shows and no row tells of, which get a node and a name: what they declare is not told."""
 
 from __future__ import annotations
 
@@ -12,12 +12,17 @@ from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import given_to, last_of
 from ecm_extract.link.declaring.client_libraries import is_client_library
+from ecm_extract.link.declaring.forms import FormTable
+from ecm_extract.link.declaring.unmodelled_python import MADE_UP, UnmodelledPython
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.module_kinds import is_node_base
 from ecm_extract.link.running.env import Env
 from ecm_extract.tree import FileDiagnostic, Unread, printable
+from ecm_extract.tree.unread import Reason
 
 CODE: Final = "handle-given-outside"
+_OUTSIDE: Final[Reason] = "outside"
+_UNFOLLOWED: Final[Reason] = "unfollowed"
 _HANDLE: Final = "NodeHandle"
 _LANGUAGE: Final = frozenset({"std", "boost", "ros"})
 """Namespaces whose functions declare nothing but what rows tell of."""
@@ -29,27 +34,39 @@ class Unmodelled:
     Args:
         folder: what is known of the tree.
         known: last names of the calls that rows tell of.
+        forms: the rows.
     """
 
-    def __init__(self, folder: Folder, known: Set[str]) -> None:
+    def __init__(self, folder: Folder, known: Set[str], forms: FormTable) -> None:
         self.folder = folder
         self.program = folder.program
         self.known = known
+        self.python = UnmodelledPython(folder, forms)
 
     def told(self) -> Iterator[FileDiagnostic]:
         """Yield a warning for each of them in each file, where it is called first; it is a gap."""
         found: dict[tuple[str, str], int] = {}
         for func in self.program.every_function():
-            for at, call in self._calls(func):
-                if self._is_one(call, Env(func, at, this=func.cls)):
-                    place = func.file.path, _called(call)
-                    found[place] = min(found.get(place, call.line), call.line)
+            for name, line in self._of(func):
+                place = func.file.path, name
+                found[place] = min(found.get(place, line), line)
         for (path, name), line in sorted(found.items()):
             yield _told(path, name, line)
 
+    def _of(self, func: Func) -> Iterator[tuple[str, int]]:
+        """Yield what a function calls so, as it is written, with its line."""
+        if func.file.language == "python":
+            for at, call in self.python.calls(func) if func.file.ros == 2 else ():
+                name = self.python.called(call, Env(func, at, this=func.cls))
+                yield from [(name, call.line)] if name else ()
+            return
+        for at, call in self._calls(func):
+            if self._is_one(call, Env(func, at, this=func.cls)):
+                yield _called(call), call.line
+
     def _calls(self, func: Func) -> Iterator[tuple[int, Call]]:
         """The calls of free functions with a text, which alone are asked for more."""
-        for at, group in enumerate(func.calls) if func.file.language == "cpp" else ():
+        for at, group in enumerate(func.calls):
             if func.fact.body[at].kind != "init":
                 yield from ((at, call) for call in group if isinstance(call.callee, Name) and _has_text(call))
 
@@ -78,9 +95,15 @@ def _called(call: Call) -> str:
 
 
 def _told(path: str, name: str, line: int) -> FileDiagnostic:
-    shown = printable(path)
-    text = (
-        f"{printable(name)} gets a node and a name, and neither the tree nor a row shows what it does with them: what "
-        f"it declares is not told. Read its package as well, or add a row for {printable(last_name(name))} to ecm.toml."
+    shown, asked = printable(path), printable(name)
+    row = printable(last_name(name.replace(".", "::")))
+    given = (
+        f"{asked} gets a node and a name, and neither the tree nor a row shows what it does with them: what it "
+        f"declares is not told. Read its package as well, or add a row for {row} to ecm.toml."
     )
-    return FileDiagnostic("warning", CODE, shown, line, text, Unread(shown, "outside"))
+    made_up = (
+        f"{asked} asks a node for a method by a name that is put together: what that declares is not told. "
+        "Call the method by its name, or by a table of methods."
+    )
+    text, reason = (made_up, _UNFOLLOWED) if name == MADE_UP else (given, _OUTSIDE)
+    return FileDiagnostic("warning", CODE, shown, line, text, Unread(shown, reason))

@@ -80,6 +80,15 @@ class WaysIn:
             found.append(self.enter(link, following, found[-1]))
         return found
 
+    def of_class(self, site: Site, cls: Cls | None) -> Site:
+        """Return a site of a method as it is of objects of just this class, whoever makes one."""
+        root, made = site.root, Instance(cls, {}, {}, exact=True) if cls is not None else None
+        part = self.folder.objects.part(made, root.cls) if made is not None and root.cls is not None else None
+        first = site.chain[0] if site.chain else site.call
+        place = Env(root, first.at, {}, dict(part.types) if part is not None else {}, cls, made)
+        *places, env = self.inside(site, place)
+        return replace(site.as_written(), env=env, owner=cls, places=tuple(places), exact=cls)
+
     def enter(self, link: Invocation, following: Invocation, env: Env) -> Env:
         """Return the place of a call in the function that the one before it calls."""
         func, at = following.func, following.at

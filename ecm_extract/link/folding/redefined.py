@@ -10,7 +10,7 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.own import is_own_member, is_super
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.running.class_lines import behind, nearest
+from ecm_extract.link.running.class_lines import ahead, behind, nearest
 from ecm_extract.link.running.early_binding import is_virtual
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.known_callers import Calling
@@ -116,11 +116,11 @@ class Redefined:
         return callee.fact.name if call is not None and callee is not None and self.may_be(callee, call, env) else ""
 
     def _names_below(self, cls: Cls) -> Set[str]:
-        """The names that classes which derive from one have something of their own by."""
+        """The names that classes have something of their own by which derive from one, or are asked before it."""
         known = self._below.get(cls)
         if known is None:
-            derived = self.folder.program.derived(cls)
-            known = self._below[cls] = frozenset(name for entry in derived for name in _own_names(entry))
+            others = ahead(cls, self.folder.program)
+            known = self._below[cls] = frozenset(name for entry in others for name in _own_names(entry))
         return known
 
     def _binds_early(self, callee: Func, env: Env) -> bool:

@@ -14,6 +14,7 @@ from ecm_extract.link.owning.leads import mentions_of_constant
 from ecm_extract.link.owning.made_unseen import SeenMakers
 from ecm_extract.link.owning.modules import Module, Modules
 from ecm_extract.link.owning.objects_made import ObjectsMade
+from ecm_extract.link.owning.overridden import Overridden
 from ecm_extract.link.owning.reach import Reach
 from ecm_extract.link.owning.references import Unit
 from ecm_extract.link.running.values import Hole, Value
@@ -31,6 +32,7 @@ class Ownership:
         self.reach = Reach(self.program, modules.loaded, modules.references.registered)
         self.constructors = Constructors(sites.calls, makers)
         self.objects = ObjectsMade(sites, self.reach, makers)
+        self.overridden = Overridden(sites, self.reach)
         self.decided = Decided(sites, modules.references)
 
     def owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:
@@ -48,6 +50,7 @@ class Ownership:
         if derived and len(derived) == len(owners):
             return ()
         owners = [each for each in owners if each not in derived and self.objects.run(site, each)]
+        owners = [each for each in owners if not self.overridden.hides(site, each)]
         line = [call.func for call in (*site.chain, site.call)]
         owners = [each for each in owners if all(self.modules.links(each, func) for func in line)]
         through = self._through(unit, site)

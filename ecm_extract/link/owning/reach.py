@@ -13,11 +13,11 @@ from typing import Final
 
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.index.registered import Registered
 from ecm_extract.link.owning.imported import Imported
 from ecm_extract.link.owning.leads import Asked, Lead, Leads
 from ecm_extract.link.owning.modules import Module
 from ecm_extract.link.owning.references import makes_own_class
-from ecm_extract.link.owning.registered import Registered
 
 _VIRTUAL: Final = frozenset({"virtual", "pure", "override"})
 

@@ -16,9 +16,9 @@ from ecm_extract.link.code.decorators import is_of_class
 from ecm_extract.link.code.spelling import by_value, last_name, plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.declaring.sites import Sites
-from ecm_extract.link.owning.handed import Handed, only_loads
+from ecm_extract.link.index.handed import Handed, only_loads
+from ecm_extract.link.index.registered import Registered
 from ecm_extract.link.owning.imported import Imported
-from ecm_extract.link.owning.registered import Registered
 from ecm_extract.link.running.named_classes import class_asked
 
 Unit = Cls | Func
@@ -111,7 +111,7 @@ class References:
         yield from self._imported.importers(func)
 
     def _class_users(self, cls: Cls) -> Iterator[Unit]:
-        found = [*self.sites.program.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
+        found = [*self.sites.program.derived(cls), *self.makers(cls)]
         yield from found or self._mentioning(cls, self._mentions)
         for method in dict.fromkeys(self._factories(cls)):
             yield from self._callers(method)

@@ -24,3 +24,15 @@ def behind(own: Cls, this: Cls, program: Program) -> Sequence[Cls]:
     lineage = program.ancestry(this)
     lineage = lineage if own in lineage else program.ancestry(own)
     return lineage[lineage.index(own) + 1 :]
+
+
+def ahead(own: Cls, program: Program) -> Sequence[Cls]:
+    """Return the classes that objects are asked by before one of their bases: that derive from it, or stand before it.
+
+    Of `class Demo(Mixin, Base)` what `Mixin` has counts before what `Base` has; that is so of Python alone.
+    """
+    derived = program.derived(own)
+    if own.file.language != "python":
+        return derived
+    lines = (program.ancestry(each) for each in derived)
+    return list(dict.fromkeys(each for line in lines for each in line[: line.index(own) if own in line else 1]))

@@ -42,8 +42,6 @@ _ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
 _TYPED_CALLS = shipped_names("link/code/library_values.toml", "typed_calls")
 _BUILT_IN = frozenset({"bool", "float", "int", "str"})
 """Classes of Python for values of parameters."""
-MAX_DELEGATIONS = 4
-"""Constructors that leave the work to another one, each to the next."""
 
 
 class Objects:
@@ -255,9 +253,9 @@ class Objects:
 
     def delegated(self, made: Instance) -> Instance:
         """Return how an object is made by the constructor to which its own one leaves that."""
-        for _ in range(MAX_DELEGATIONS):
-            if made.maker is None:
-                break
+        seen: set[Func] = set()
+        while made.maker is not None and made.maker not in seen:
+            seen.add(made.maker)
             env = Env(made.maker, args=made.args, this=made.cls, made=made)
             call = base_call(made.maker, made.cls)
             target = self.constructor(made.cls, call) if call is not None else None
@@ -314,7 +312,7 @@ class Objects:
     def _looked_up(self, call: Invocation, env: Env) -> Sequence[Func]:
         own = env.func.cls or env.this
         if is_super(call.receiver) and own is not None:
-            return self._methods_of_base(call, own, env.this or own)
+            return self.methods_of_base(call, own, env.this or own)
         named = class_asked(call, self.program)
         if is_cast(call):
             return self.methods(call, named or class_cast_to(call, env, self.scope))
@@ -322,8 +320,8 @@ class Objects:
             return self.methods(call, named or self.class_of(call.receiver, env.before(env.at)))
         return self.methods(call, named or class_at_hand(call, env, self.program)) or self._free(call, env)
 
-    def _methods_of_base(self, call: Invocation, own: Cls, this: Cls) -> Sequence[Func]:
-        """`super().name()` means that of the next class of the object, `Base.name(self)` that of the named one."""
+    def methods_of_base(self, call: Invocation, own: Cls, this: Cls) -> Sequence[Func]:
+        """Return the methods that `super().name()` means, of the next class of the object, or `Base.name(self)`."""
         written = call.receiver.args[0] if isinstance(call.receiver, Call) and call.receiver.args else None
         if not isinstance(written, Text):
             return nearest(call, behind(own, this, self.program))

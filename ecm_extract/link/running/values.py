@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
@@ -234,14 +234,12 @@ def _template_with_defaults(value: Value) -> tuple[str | Hole | OfParameter, ...
     )
 
 
-def without_defaults(value: Value) -> Value:
-    """The same value where it is not known what the makers of its object say."""
-    if not any(isinstance(part, Hole) and part.kind == "made" and part.default is not None for part in value.parts):
-        return value
+def without_defaults(value: Value, kinds: Collection[str] = ("made",)) -> Value:
+    """The same value where it is not known what the makers of its object say, or who else knows holes of some kinds."""
     parts = [
-        part._replace(default=None) if isinstance(part, Hole) and part.kind == "made" else part for part in value.parts
+        part._replace(default=None) if isinstance(part, Hole) and part.kind in kinds else part for part in value.parts
     ]
-    return value._replace(parts=tuple(parts))
+    return value if tuple(parts) == value.parts else value._replace(parts=tuple(parts))
 
 
 def weaker(first: Confidence, second: Confidence) -> Confidence:

@@ -14,6 +14,7 @@ from ecm_parsers.source.python_body import STATEMENTS
 from ecm_parsers.source.python_decl import DECLARATIONS
 from ecm_parsers.source.python_expr import EXPRESSIONS
 from ecm_parsers.source.python_lambda import LAMBDAS
+from ecm_parsers.source.python_private import with_private_names
 from ecm_parsers.source.python_scan import Scan
 
 MAX_BYTES = 2_000_000
@@ -45,7 +46,8 @@ def parse_python(data: bytes) -> Parsed[SourceFile]:
         return _unread("python-too-slow", message)
     scan = Scan(data, _EXPRESSIONS, _HANDLERS)
     scan.block(root)
-    return Parsed(_source_file(scan, root), _diagnostics(scan, root))
+    read = _source_file(scan, root)
+    return Parsed(with_private_names(read) if scan.has_private else read, _diagnostics(scan, root))
 
 
 def _unread(code: str, message: str) -> Parsed[SourceFile]:

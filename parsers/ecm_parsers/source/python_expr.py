@@ -53,7 +53,7 @@ def _attribute(scan: Scan, node: Node) -> Expr:
     base, name = node.child_by_field_name("object"), node.child_by_field_name("attribute")
     if base is None or name is None:
         return scan.opaque(node)
-    return Member(scan.expr(base), scan.text(name))
+    return Member(scan.expr(base), scan.noted(scan.text(name)))
 
 
 def _call(scan: Scan, node: Node) -> Expr:

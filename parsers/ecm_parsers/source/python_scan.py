@@ -13,6 +13,7 @@ from tree_sitter import Node
 from ecm_parsers.source.expr import THIS, Expr, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Class, Constant, Field, Function, Import, Statement, StatementKind
 from ecm_parsers.source.flow import Block, FlowWriter
+from ecm_parsers.source.python_private import is_private
 
 MAX_EXPRESSION_DEPTH = 80
 MAX_BLOCK_DEPTH = 40
@@ -105,6 +106,7 @@ class Scan:
         self.frame = Frame("module", "", [], {})
         self._receivers: dict[bytes, dict[bytes, Expr]] = {}
         self.calls = 0
+        self.has_private = False
         self.cut_line = 0
         self._level = 0
         self._nesting = 0
@@ -144,10 +146,15 @@ class Scan:
         found = names.get(raw)
         if found is None:
             base, dot, last = raw.rpartition(b".")
-            text = last.decode("utf-8", "replace")
+            text = self.noted(last.decode("utf-8", "replace"))
             found = Member(self.name(base), text) if dot else Name(text)
             names[raw] = found
         return found
+
+    def noted(self, name: str) -> str:
+        """Return a name, and remember whether the file has any that are private to a class."""
+        self.has_private = self.has_private or is_private(name)
+        return name
 
     def names_again(self, name: str, meant: Expr) -> None:
         """Let a name mean something else from here on."""

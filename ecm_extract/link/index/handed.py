@@ -35,7 +35,7 @@ class Handing(NamedTuple):
 
 @cache
 def _names(table: str) -> frozenset[str]:
-    return shipped_names("link/owning/handed.toml", table)
+    return shipped_names("link/index/handed.toml", table)
 
 
 def only_loads(written: str) -> bool:

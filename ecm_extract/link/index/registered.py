@@ -1,7 +1,7 @@
-"""Classes that a decorator of the tree keeps in a table or list, and the functions that make objects of what is there.
+"""Classes that a table or list of the tree keeps, and the functions that make objects of what is there.
 
-`@register` or `@part("arm")` in front of a class hands it to a function that keeps it: whoever reads what that fills
-has the class, as if it had named it. Who reads one entry has what was kept under that key.
+`@register` or `@part("arm")` in front of a class hands it to a function that keeps it, `KINDS = {"arm": Arm}` begins
+with it: whoever reads that has the class, as if it had named it. Who reads one entry has what is kept under that key.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.calls import dotted_name
@@ -55,7 +55,7 @@ class Registered:
         self._readers: dict[Cls, list[Func]] = defaultdict(list)
         self._read: dict[Func, list[Cls]] = defaultdict(list)
         self._keepers: set[Func] = set()
-        kept = [each for cls in _decorated(program) for each in self._kept(cls)]
+        kept = [*self._begun(), *(each for cls in _decorated(program) for each in self._kept(cls))]
         names = {each.place.name for each in kept}
         for func in (func for group in program.functions.values() for func in group) if names else ():
             self._note(func, names, kept)
@@ -78,6 +78,15 @@ class Registered:
                 if entry.place == place and (key is None or entry.key in {None, key}):
                     self._readers[entry.cls].append(func)
                     self._read[func].append(entry.cls)
+
+    def _begun(self) -> Iterator[Kept]:
+        """The classes that variables of modules and attributes of classes begin with."""
+        for file in (each for each in self.program.files if each.language == "python"):
+            for constant in file.facts.constants:
+                for key, value in _entries(constant.value):
+                    cls = self.program.class_named(dotted_name(value), file, constant.scope)
+                    if cls is not None:
+                        yield Kept(cls, Place(file, constant.scope, constant.name), key)
 
     def _kept(self, cls: Cls) -> Iterator[Kept]:
         for decorator in cls.fact.decorators:
@@ -155,10 +164,29 @@ def _texts(func: Func, call: Call) -> Mapping[str, str]:
 def _keeping(statement: Statement, parameter: str) -> Iterator[tuple[Expr, Expr | None]]:
     """What a statement puts the value of a parameter into, with the key: `KNOWN[key] = it`, `KNOWN.append(it)`."""
     target, value = statement.target, statement.value
-    if statement.kind == "set" and isinstance(target, Op) and target.op == "[]" and value == Name(parameter):
+    if statement.kind == "set" and isinstance(target, Op) and target.op == "[]" and _is_within(value, parameter):
         yield target.operands[0], target.operands[1]
-    if isinstance(value, Call) and isinstance(value.callee, Member) and Name(parameter) in value.args:
+    if (
+        isinstance(value, Call)
+        and isinstance(value.callee, Member)
+        and any(_is_within(each, parameter) for each in value.args)
+    ):
         yield value.callee.base, value.args[0] if len(value.args) > 1 else None
+
+
+def _is_within(value: Expr | None, parameter: str) -> bool:
+    """Whether a value is a parameter, or a tuple or list with it: `KNOWN[key] = (it, options)`."""
+    return value == Name(parameter) or (isinstance(value, Items) and Name(parameter) in value.items)
+
+
+def _entries(value: Expr | None) -> Iterator[tuple[str | None, Expr]]:
+    """Yield the names that a table or a list consists of, in tuples too, each with the text of its key."""
+    for key, each in value.entries if isinstance(value, Table) else ():
+        yield from ((key.value if isinstance(key, Text) else None, part) for _, part in _entries(Items((each,))))
+    for each in value.items if isinstance(value, Items) else ():
+        if isinstance(each, Name | Member):
+            yield None, each
+        yield from _entries(each) if isinstance(each, Items) else ()
 
 
 def _key(key: Expr | None, given: _Given, cls: Cls) -> str | None:
