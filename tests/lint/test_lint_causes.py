@@ -155,7 +155,6 @@ QUIET = [
             "a.cpp": "void f(Pub p) { sensor_msgs::Image t; t.height = 1; p.publish(t); }\n",
         },
     ),
-    ("data of a test", "LNT061", 2, {"test_data/a.yaml": "a: [1, 2\n"}),
     (
         "a home folder",
         "LNT001",
