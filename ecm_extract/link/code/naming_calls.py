@@ -21,7 +21,12 @@ def is_resolver(name: str) -> bool:
 
 def gives_name(path: str) -> bool:
     """Tell whether a function, as it is written, gives the name that it is passed."""
-    return is_resolver(last_name(path)) or path.endswith(tuple(_table()["tidying"]["paths"]))
+    return is_resolver(last_name(path)) or path.endswith(tuple(_table()["tidying"]["paths"])) or searches(path)
+
+
+def searches(path: str) -> bool:
+    """Tell whether a function, as it is written, looks for a parameter in the namespaces above, too."""
+    return path.endswith(tuple(_table()["searching"]["paths"]))
 
 
 def leaves_arguments(path: str) -> bool:

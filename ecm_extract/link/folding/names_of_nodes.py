@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import Expr
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.naming_calls import searches
 from ecm_extract.link.code.spelling import is_node_interface, plain, pointee
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.index.library_functions import library_function
@@ -17,7 +18,7 @@ from ecm_extract.link.index.module_kinds import class_kind, is_node_base
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.object_states import is_own
 from ecm_extract.link.running.own_names import node_name, node_namespace
-from ecm_extract.link.running.values import Value, joined, literal
+from ecm_extract.link.running.values import Value, joined, literal, lowered
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -36,6 +37,8 @@ _RESOLVED_BY_HANDLE: Final = "resolveName"
 def resolved(call: Invocation, env: Env, folder: Folder) -> tuple[Value, ...]:
     """Return a name as it is passed; `nh.resolveName(name)` gives it below the handle, whatever other one gets it."""
     values = folder.fold(call.args[0], env)
+    if searches(call.path) or searches(call.last):
+        return lowered(values, "default")
     of_handle = call.receiver is not None and call.last == _RESOLVED_BY_HANDLE
     space = namespace_of(call.receiver, env, folder) if of_handle and call.receiver is not None else None
     if space is None or any(value.text.startswith(("/", "~")) for value in values):
