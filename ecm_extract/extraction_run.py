@@ -26,7 +26,8 @@ from ecm_extract.link.linker import Linker
 from ecm_extract.link.owning.composition import composition_of
 from ecm_extract.macros.second_reading import read_with_header_macros
 from ecm_extract.macros.undecided import report_undecided
-from ecm_extract.parallel_work import meanwhile
+from ecm_extract.parallel_work import jobs_for, meanwhile
+from ecm_extract.read.facts import function_count
 from ecm_extract.read.reader import Reader
 from ecm_extract.requires.collect import source_requirements
 from ecm_extract.settings import config_of
@@ -54,7 +55,8 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
             linker = Linker(packages, forms)
             linker.declare()
             work = partial(source_requirements, linker.program, linker.folder.objects)
-            of_sources = meanwhile(work, options.jobs) if options.hub else work
+            jobs = jobs_for(function_count(packages), options.jobs)
+            of_sources = meanwhile(work, jobs) if options.hub else work
             linked = linker.attributed()
         linker.tell(tree)
         report_undecided(packages, tree, forms.keys() | linker.helpers)

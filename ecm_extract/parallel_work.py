@@ -8,11 +8,14 @@ from collections.abc import Callable
 from contextlib import suppress
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
-from typing import Generic, TypeVar
+from typing import Final, Generic, TypeVar
 
 from ecm_extract.processes import forked
 
 _Result = TypeVar("_Result")
+
+_MIN_FUNCTIONS: Final = 100
+"""What is done for fewer takes less time than a process that begins, and sends what it found."""
 
 
 class Background(Generic[_Result]):
@@ -51,6 +54,11 @@ class Background(Generic[_Result]):
 def meanwhile(work: Callable[[], _Result], jobs: int | None) -> Callable[[], _Result]:
     """Start work in another process and return the function that waits for it; with one job that does it itself."""
     return work if jobs == 1 else Background(work).result
+
+
+def jobs_for(functions: int, jobs: int | None) -> int | None:
+    """How many jobs work on so many functions of sources is for: one where few are, unless a number was asked for."""
+    return 1 if jobs is None and functions < _MIN_FUNCTIONS else jobs
 
 
 def _run(work: Callable[[], object], sender: Connection) -> None:

@@ -83,8 +83,13 @@ def values_by_place(entities: Iterable[Provision]) -> dict[tuple[str, str], list
         if entity.is_value:
             generated = (f"{entity.package}/{GENERATED}",) if entity.path.endswith((".yaml", ".yml")) else ()
             for place in (f"{entity.package}/{entity.owner}", entity.path, *generated):
-                index[place, last_part(entity.name)].append(entity)
+                index[place, tail_of(entity)].append(entity)
     return index
+
+
+def tail_of(entity: Provision) -> str:
+    """The last part of a name, without what is computed before it: of `/<*>rate` that may end in a slash."""
+    return last_part(entity.name).removeprefix(HOLE)
 
 
 def move_key(entity: Provision) -> tuple[str, str, str]:
@@ -108,6 +113,8 @@ def is_reshaped(old: Provision, new: Provision) -> bool:
         return False  # it had no prefix at all, now users must write one
     if old.name.removeprefix(f"{HOLE}.") == new.name.removeprefix(f"{HOLE}."):
         return True
+    if new.name.replace(f"/{HOLE}", "/", 1) == old.name:
+        return True
     if new.path.endswith((".yaml", ".yml")) and old.name.endswith(f".{new.name}"):
         return True
     tail = old.name.rsplit(HOLE, 1)[-1].strip("./_")
@@ -115,6 +122,8 @@ def is_reshaped(old: Provision, new: Provision) -> bool:
 
 
 def _is_likely(old: Provision, new: Provision, places: Places) -> bool:
+    if old.row.fixed and not _same_class(old, new):
+        return False
     if _same_file(old, new, places.files):
         return True
     if not same_language(old, new) or (old.row.is_file and new.path in places.before):
@@ -139,6 +148,12 @@ def _same_surroundings(old: Provision, new: Provision) -> bool:
     """Whether the modules or namespaces of two functions share a word: many packages have a `main` and a `load`."""
     first, second = (words(entity.name.removesuffix(last_part(entity.name))) for entity in (old, new))
     return bool(first & second) or not (first or second)
+
+
+def _same_class(old: Provision, new: Provision) -> bool:
+    """Whether no class of another name has the one: each class may have its `MIN`."""
+    last = [last_part(entity.owner) for entity in (old, new)]
+    return last[0] == last[1] or not any(name[:1].isupper() for name in last)
 
 
 def _same_nest(old: Provision, new: Provision) -> bool:

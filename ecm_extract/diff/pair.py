@@ -8,21 +8,19 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
 import msgspec
 from ecm_checker.hub.kinds import containers, kinds, kinds_that
-from ecm_checker.hub.provision import HOLE, LAUNCHED, SENT, Key, Provision
+from ecm_checker.hub.provision import HOLE, LAUNCHED, Key, Provision
 from ecm_checker.hub.roles import module_kinds
 from ecm_checker.match.hierarchy import Bases
 
 from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.computed import Computed
 from ecm_extract.diff.file_moves import alone_in_moved_files
-from ecm_extract.diff.history import History
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
-from ecm_extract.diff.moves import GENERATED, Places, best_home, is_reshaped, move_key, values_by_place
+from ecm_extract.diff.moves import GENERATED, Places, best_home, is_reshaped, move_key, tail_of, values_by_place
 from ecm_extract.diff.nodes import Successions, node_pairs
 from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.same_line import same_lines
@@ -33,25 +31,9 @@ from ecm_extract.diff.settings import SettingFiles
 from ecm_extract.diff.shared_parts import SharedParts
 from ecm_extract.diff.sharing import by_sharers
 from ecm_extract.diff.similarity import last_part
+from ecm_extract.diff.still_there import Evidence, StillThere
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.with_package import WithPackage
-
-
-@dataclass(slots=True)
-class Evidence:
-    """What helps to decide beside the entities.
-
-    Attributes:
-        files: new path of each file that moved, by its old one. history: what people wrote.
-        bound, quoted, reads: of the new side; see `Side`. before: paths of the old side.
-    """
-
-    files: Mapping[str, str] = field(default_factory=dict)
-    history: History | None = None
-    bound: frozenset[str] = frozenset()
-    quoted: frozenset[str] = frozenset()
-    reads: frozenset[tuple[str, str]] = frozenset()
-    before: frozenset[str] = frozenset()
 
 
 class Pairing:
@@ -96,28 +78,10 @@ class Pairing:
         self._on_their_lines()
         self._renamed(rest)
         self._by_signature()
-        pairs = [msgspec.structs.replace(pair, kept=True) if self._is_bound(pair.old) else pair for pair in self.pairs]
-        removed = [Pair(entity, None) for entity in self.old.values() if not self._is_there(entity)]
+        still = StillThere(self.evidence, self.bases, self.owners, self._sent)
+        pairs = [msgspec.structs.replace(pair, kept=True) if still.is_bound(pair.old) else pair for pair in self.pairs]
+        removed = [Pair(entity, None) for entity in self.old.values() if not still.is_there(entity)]
         return [*pairs, *removed, *(Pair(None, entity) for entity in self.new.values())]
-
-    def _is_bound(self, entity: Provision | None) -> bool:
-        """Whether Python still offers something that is declared elsewhere (`Old = New`), or stands in such a class."""
-        if entity is None:
-            return False
-        if entity.row.in_language and not entity.row.part:
-            return entity.name in self.evidence.bound
-        return entity.owner in self.evidence.bound and entity.owner not in self.owners
-
-    def _is_there(self, entity: Provision) -> bool:
-        """Whether what no declaration shows any more is still read, or set by its name."""
-        if self._is_bound(entity) or (entity.facet == SENT and self._sent.may_be_there(entity)):
-            return True
-        if entity.is_value:
-            return (entity.package, entity.name.lstrip("~/")) in self.evidence.reads
-        if not entity.row.fixed or not entity.is_python:
-            return False
-        modules = (entity.owner, entity.owner.rpartition(".")[0])
-        return any(f"{module}.{entity.name}" in self.evidence.quoted for module in modules)
 
     def take(self, pair: Pair) -> None:
         """Decide on a pair."""
@@ -130,11 +94,17 @@ class Pairing:
     def _by_file(self, kind: str) -> None:
         """What its file alone declared of a kind has moved with the file, however it is called now."""
         for found in list(alone_in_moved_files(kind, self.old.values(), self.new.values(), self.evidence.files)):
-            if found.old is not None and found.new is not None and self._is_taken(found.old, found.new):
+            old, new = found.old, found.new
+            if old is not None and new is not None and new.key in self.new and self._is_taken(old, new):
                 self.take(found)
 
     def _is_taken(self, old: Provision, new: Provision) -> bool:
-        """Whether one may be the other, and its package has no other of its name: then a copy was made of it."""
+        """Whether one may be the other, and its package has no other of its name: then a copy was made of it.
+
+        A file that has another name in another package is one of its own while its package stays.
+        """
+        if old.row.is_file and self.packages.get(old.package, old.package) != new.package:
+            return False
         names = (last_part(key[3]) for key in self.all_new if key[:2] == old.key[:2])
         return self._parts.may_be_one(old, new) and not (old.row.symbol and last_part(old.name) in names)
 
@@ -238,7 +208,7 @@ class Pairing:
         index = values_by_place(self.all_new.values())
         for entity in list(self.old.values()):
             if entity.is_value:
-                tail = last_part(entity.name)
+                tail = tail_of(entity)
                 places = ["/".join(self._module_of(entity)), f"{entity.package}/{GENERATED}"]
                 if len(entity.chain) > 1 or (entity.kind, entity.package, entity.owner) not in self._modules:
                     places.append(self.evidence.files.get(entity.path, entity.path))

@@ -18,8 +18,9 @@ from ecm_extract.diff.consumers import uses_of
 from ecm_extract.diff.git_renames import renamed_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
-from ecm_extract.diff.pair import Evidence, Pairing
+from ecm_extract.diff.pair import Pairing
 from ecm_extract.diff.sides import Sides, both_sides, consumers_of
+from ecm_extract.diff.still_there import Evidence
 from ecm_extract.diff.unread import SideRead, UnreadPart, unread_parts
 from ecm_extract.diff.use import Use
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict

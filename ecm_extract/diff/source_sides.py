@@ -14,7 +14,8 @@ from ecm_extract.entities.notes import no_notes, read_notes
 from ecm_extract.entities.side import Side
 from ecm_extract.entities.workspace import PackagesRead, Workspace, link_packages, read_packages, side_of
 from ecm_extract.extraction_model import Options
-from ecm_extract.parallel_work import meanwhile
+from ecm_extract.parallel_work import jobs_for, meanwhile
+from ecm_extract.read.facts import function_count
 from ecm_extract.requires.collect import consumers
 from ecm_extract.tree import FileDiagnostic, Tree
 
@@ -23,7 +24,8 @@ def source_side_before(tree: Tree, options: Options, parsed: dict[str, SourceFil
     """Begin to link the old side in another process, and return the function that waits for it."""
     read = _read(tree, options, parsed)
     told = frozenset(tree.diagnostics)
-    linked = meanwhile(lambda: _linked(read, told), options.jobs)
+    jobs = jobs_for(function_count(read.packages), options.jobs)
+    linked = meanwhile(lambda: _linked(read, told), jobs)
     return lambda: _reported(linked(), tree)
 
 

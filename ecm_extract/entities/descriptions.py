@@ -1,4 +1,4 @@
-"""Robot descriptions that a package offers: their files, the frames of links, the command interfaces of joints.
+"""Robot descriptions that a package offers: their files with arguments, frames of links, command interfaces of joints.
 
 They are read as written. What whoever expands a macro chooses, such as `${prefix}`, is a hole in the name.
 """
@@ -13,7 +13,7 @@ from ecm_checker.hub.condition import Condition
 from ecm_checker.hub.provision import HOLE, Provision
 from ecm_parsers.launch.operators import negated
 from ecm_parsers.launch.substitution import parse_template
-from ecm_parsers.robot_names import NamedLine, RobotNames, parse_robot_names
+from ecm_parsers.robot_names import NamedArgument, NamedLine, RobotNames, parse_robot_names
 
 from ecm_extract.entities.launch_conditions import conditions_of, together
 from ecm_extract.entities.paths import inside
@@ -27,13 +27,14 @@ _EXAMPLES: Final = frozenset({"example", "examples", "tutorial", "tutorials", "d
 
 
 def description_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[Provision]:
-    """Yield the files, frames and command interfaces; a name that several files have is one."""
+    """Yield the files, their arguments, frames and command interfaces; a name that several files have is one."""
     for path, names in descriptions(texts, facts):
         own = inside(path, facts.root.path)
         yield Provision(kind="file", package=facts.name, owner="", name=own, path=path, line=1)
         if _EXAMPLES.isdisjoint(own.split("/")):
             yield from _entities(facts.name, "frame", path, names.links)
             yield from _entities(facts.name, "command_interface", path, names.commands, typed=True)
+            yield from _arguments(facts.name, own, path, names.arguments)
 
 
 def descriptions(texts: SideTexts, facts: PackageFacts) -> Iterator[tuple[str, RobotNames]]:
@@ -79,6 +80,22 @@ def _entities(
                 owner="",
                 name=name,
                 type=name.rpartition("/")[2] if typed else None,
+                path=path,
+                line=entry.line,
+                when=when,
+            )
+
+
+def _arguments(package: str, file: str, path: str, arguments: tuple[NamedArgument, ...]) -> Iterator[Provision]:
+    for entry in arguments:
+        when = tested(entry)
+        if when is not None and not _COMPUTED.search(entry.name):
+            yield Provision(
+                kind="xacro_argument",
+                package=package,
+                owner=file,
+                name=entry.name,
+                default=entry.default,
                 path=path,
                 line=entry.line,
                 when=when,

@@ -11,7 +11,6 @@ from ecm_checker.hub.provision import HOLE, Line, Provision
 from ecm_checker.hub.roles import roles
 
 from ecm_extract.entities.deprecations import deprecated_names
-from ecm_extract.entities.reconfigure import server_namespaces
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
@@ -28,7 +27,6 @@ def endpoint_entities(
     """
     paths = {at.path for module in modules for entry in module.interfaces for at in entry.evidence[:1]}
     deprecated = deprecated_names(speaking, paths & set(facts.sources))
-    namespaces = server_namespaces(facts)
     shared: dict[tuple[str, str, str, str, int], Provision] = {}
     for module in modules:
         for entry in module.interfaces:
@@ -38,10 +36,8 @@ def endpoint_entities(
             bare = found.name.lstrip("~/")
             told = deprecated.get(bare) or deprecated.get(found.name)
             found = msgspec.structs.replace(found, node=module.node or _node_of(entry), deprecated=told)
-            if found.path.endswith(".cfg"):
-                if facts.ros == 2:
-                    continue  # dynamic_reconfigure is of ROS 1: a port left the file behind
-                found = _below(found, namespaces.get(found.path, "~"))
+            if found.path.endswith(".cfg") and facts.ros == 2:
+                continue  # dynamic_reconfigure is of ROS 1: a port left the file behind
             mark = (found.kind, found.facet, found.name, found.path, found.line)
             first = shared.setdefault(mark, found)
             if first is not found:
@@ -90,12 +86,6 @@ def _calls(entry: Interface) -> tuple[Line, ...]:
     """The calls that lead to an endpoint, its own first; none where it is made by its own module."""
     lines = tuple(dict.fromkeys((place.path, place.line) for place in entry.evidence))
     return lines if len(lines) > 1 else ()
-
-
-def _below(entity: Provision, namespace: str) -> Provision:
-    """A parameter of `dynamic_reconfigure` with the namespace of its server."""
-    name = "/".join(part.strip("/") for part in (namespace, entity.name.lstrip("~/")))
-    return msgspec.structs.replace(entity, name=name)
 
 
 def comparable_name(entry: Interface) -> str:

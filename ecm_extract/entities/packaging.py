@@ -137,7 +137,7 @@ def _cmake_programs(facts: PackageFacts) -> Iterator[_Script]:
     for path, file in facts.cmake.items():
         for entry in file.installs:
             if entry.kind in {"programs", "python"}:
-                yield from (_Script(item, path, entry.line, entry.conditions) for item in entry.items)
+                yield from (_Script(entry.renamed or item, path, entry.line, entry.conditions) for item in entry.items)
 
 
 def _setup_programs(facts: PackageFacts) -> Iterator[_Script]:

@@ -21,6 +21,7 @@ from ecm_extract.entities.side_texts import PARAMETERS, SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.test_code import is_test_path
 
+FILE: Final = "parameter_file"
 _MAX_INTEGER: Final = 2**63
 _COPIED: Final = frozenset({"directory", "files"})
 
@@ -28,10 +29,11 @@ _COPIED: Final = frozenset({"directory", "files"})
 def parameter_settings(
     texts: SideTexts, facts: PackageFacts, launches: Sequence[tuple[str, LaunchFile]]
 ) -> Iterator[Provision]:
-    """Yield each parameter that a file which users get sets; its owner is the file, as it lies in the package."""
+    """Yield the files that users get, and each parameter that one sets, whose owner is the file within the package."""
     loaded = _loaded(facts, launches)
     candidates = loaded | _installed(facts)
     for path, data in texts.read_many(sorted(candidates)):
+        yield Provision(kind=FILE, package=facts.name, owner="", name=_inside(path, facts), path=path, line=1)
         file = texts.told(path, parse_parameter_yaml(data))
         if file.ros == 2 or path in loaded:  # any map is a parameter file of ROS 1
             yield from (_setting(entry, path, file.ros, facts) for entry in file.sets)

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
-from posixpath import normpath
+from posixpath import dirname, join, normpath
+from typing import Final
 
 from ecm_parsers.cmake_facts import Target
 from ecm_parsers.source.facts import SourceFile
 
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.source_suffixes import is_included
+
+_PROGRAMS: Final = frozenset({"programs", "python"})
 
 
 def of_programs(facts: PackageFacts) -> frozenset[str]:
@@ -29,8 +33,12 @@ def of_programs(facts: PackageFacts) -> frozenset[str]:
 
 
 def _places(source: SourceFile, homes: Mapping[str, set[bool]]) -> set[bool]:
-    """Whether libraries have the methods of the classes of a header; empty where it has them itself."""
-    return {linked for name in _classes(source) for linked in homes.get(name, ())}
+    """Whether libraries have the methods of the classes of a header; empty where it has them itself.
+
+    A source may leave out the namespace, behind a `using`.
+    """
+    names = (written for name in _classes(source) for written in {name, last_name(name)})
+    return {linked for name in names for linked in homes.get(name, ())}
 
 
 def _builds_programs(facts: PackageFacts) -> bool:
@@ -62,15 +70,26 @@ def _classes(source: SourceFile) -> Iterator[str]:
     return (f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.classes)
 
 
-def script_modules(facts: PackageFacts) -> frozenset[str]:
-    """Return the dotted names of modules that console scripts start and that no other module of the package imports."""
+def script_modules(facts: PackageFacts, modules: Mapping[str, str]) -> frozenset[str]:
+    """Return the dotted names of modules that are programs and that no other module of the package imports.
+
+    Console scripts start them, or a rule installs their file as a program. `modules` are dotted names by path.
+    """
     started = {
         point.module
         for setup in facts.setups.values()
         for point in setup.entry_points
         if point.group == "console_scripts" and point.attribute
     }
+    started |= {modules[path] for path in _installed_programs(facts) if path in modules}
     return frozenset(module for module in started if not _is_imported(module, facts))
+
+
+def _installed_programs(facts: PackageFacts) -> Iterator[str]:
+    for path, file in facts.cmake.items():
+        for rule in file.installs:
+            if rule.kind in _PROGRAMS:
+                yield from (normpath(join(dirname(path), item)) for item in rule.items)
 
 
 def _is_imported(module: str, facts: PackageFacts) -> bool:

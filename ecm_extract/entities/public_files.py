@@ -79,14 +79,16 @@ def _installed_headers(facts: PackageFacts) -> set[str]:
 
 def python_modules(facts: PackageFacts) -> dict[str, str]:
     """Return the path of each module that is there to be imported, with its dotted name; see `script_modules`."""
-    programs = script_modules(facts)
-    return {path: dotted for path, dotted in _importable(facts).items() if dotted not in programs}
+    found = _importable(facts)
+    programs = script_modules(facts, found)
+    return {path: dotted for path, dotted in found.items() if dotted not in programs}
 
 
 def program_modules(facts: PackageFacts) -> dict[str, str]:
-    """Return the path of each module that console scripts start: nobody is meant to import it, and whoever does can."""
-    programs = script_modules(facts)
-    return {path: dotted for path, dotted in _importable(facts).items() if dotted in programs}
+    """Return the path of each module that is a program: nobody is meant to import it, and whoever does can."""
+    found = _importable(facts)
+    programs = script_modules(facts, found)
+    return {path: dotted for path, dotted in found.items() if dotted in programs}
 
 
 def _importable(facts: PackageFacts) -> dict[str, str]:

@@ -12,7 +12,9 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Text
 from ecm_parsers.source.facts import Function, SourceFile
 from ecm_parsers.source.flow import Block, Branch, blocks, statements
 
-from ecm_extract.entities.public_files import program_modules, python_modules, stub_modules
+from ecm_extract.entities.compiled_modules import compiled_names
+from ecm_extract.entities.public_files import program_modules, python_modules
+from ecm_extract.entities.python_bases import Module, class_meant
 from ecm_extract.entities.signatures import form_of
 from ecm_extract.link.code.tuples import returned_values
 from ecm_extract.link.code.walk import children
@@ -27,18 +29,24 @@ _WARN: Final = frozenset({"warnings.warn", "warn"})
 
 def python_entities(facts: PackageFacts) -> Iterator[Provision]:
     """Yield what can be imported from a package; a name with a leading underscore is private."""
+    found = {dotted: _module(facts, path, dotted) for path, dotted in python_modules(facts).items()}
     for path, dotted in python_modules(facts).items():
-        source = facts.sources[path]
         yield Provision(kind="file", package=facts.name, owner="", name=dotted, path=path, line=1)
-        yield from _symbols(facts.name, path, dotted, source)
+        for entity in _symbols(facts.name, path, dotted, facts.sources[path]):
+            bases = tuple(class_meant(base, found[dotted], found) for base in entity.bases)
+            yield entity if bases == entity.bases else msgspec.structs.replace(entity, bases=bases)
+
+
+def _module(facts: PackageFacts, path: str, dotted: str) -> Module:
+    return Module(dotted, path.endswith("/__init__.py"), facts.sources[path])
 
 
 def bound_names(facts: PackageFacts) -> Iterator[str]:
     """Yield what modules offer without declaring it: names that they import (`from .node import Node`) or assign.
 
-    So are compiled modules, of which a package holds only the stub, and those that programs are.
+    So are compiled modules, and those that programs are.
     """
-    yield from stub_modules(facts)
+    yield from compiled_names(facts)
     for path, dotted in program_modules(facts).items():
         yield dotted
         yield from (each.name for each in _symbols(facts.name, path, dotted, facts.sources[path]) if not each.row.part)
@@ -67,7 +75,14 @@ def _symbols(package: str, path: str, dotted: str, source: SourceFile) -> Iterat
         if not entry.scope and not entry.name.startswith("_"):
             name = f"{dotted}.{entry.name}"
             yield Provision(
-                kind="class", package=package, owner="", name=name, bases=entry.bases, path=path, line=entry.line
+                kind="class",
+                package=package,
+                owner="",
+                name=name,
+                bases=entry.bases,
+                path=path,
+                line=entry.line,
+                open="remade" in entry.traits,
             )
     for function in source.functions:
         if not _is_private(function):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ecm_parsers.source.expr import Expr, Items
+from ecm_parsers.source.expr import Expr, Items, Number
 
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.unpacking import taken, unstarred
@@ -25,6 +25,17 @@ def handed_out(target: Items, held: Held, value: Expr | None) -> Iterator[Handed
             yield HandedOut(each.target, Held("value", "", each.part, held.env, held.at))
         return
     inner = held.how in {"each", "part"}
-    for item in target.items:
+    for at, item in enumerate(target.items):
         part = Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
+        part.more = _place(held, at) if inner and _is_plain(target) else None
         yield HandedOut(unstarred(item), part)
+
+
+def _is_plain(target: Items) -> bool:
+    return all(unstarred(item) is item for item in target.items)
+
+
+def _place(held: Held, at: int) -> Items | None:
+    """Where a part stands in an element, from its whole inwards: `(1, 0)` of `b` in `for a, (b, c) in rows`."""
+    around = held.more.items if isinstance(held.more, Items) else ()
+    return Items((*around, Number(at))) if held.how == "each" or around else None

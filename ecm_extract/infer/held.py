@@ -49,9 +49,10 @@ class Held:
     """One thing that a variable can hold.
 
     Attributes:
-        how: `value` of an expression; `each` element of one, or a `part` of such an element; `made` without a value (a
-            declaration); `given` from around the function or by its caller; `shared` with functions that may have
-            given it anything they give it (of a variable of a module, `before` is what the module gives it);
+        how: `value` of an expression; `each` element of one, or a `part` of such an element
+            (`more`: where it stands in it); `made` without a value (a declaration); `given` from around the function
+            or by its caller; `shared` with functions that may have given it anything they give it (of a variable of a
+            module, `before` is what the module gives it);
             `lost`: nobody knows; `read` from a ROS parameter (`expr` its name, `more` its
             default); `changed` by a method (`expr` the call); `stored`: an element (`expr` the place, `more` the
             value); `out`: written by a function that got it (`expr` the call, `name` its parameter there); `handed` to

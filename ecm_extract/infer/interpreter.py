@@ -7,7 +7,9 @@ body changes unknown. What is not modelled makes a value unknown, never stale.
 
 from __future__ import annotations
 
+from collections.abc import Set
 from dataclasses import replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.facts import Statement
@@ -18,6 +20,7 @@ from ecm_extract.infer.branching import Branching
 from ecm_extract.infer.calling import Calling
 from ecm_extract.infer.choosing import Choosing
 from ecm_extract.infer.comprehending import Comprehending
+from ecm_extract.infer.directives import declared_beyond
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, State, either, joined_states
@@ -104,11 +107,16 @@ class Interpreter:
         if self.frame.python or self._nesting == 0 or before is None or state is None:
             return state
         places = [step.each if isinstance(step, Loop) else step for step in block]
-        steps = (self.frame.body[step] for step in places if isinstance(step, int) and step >= 0)
+        own = (step for step in places if isinstance(step, int) and step >= 0 and step not in self._beyond)
+        steps = (self.frame.body[step] for step in own)
         lets = (entry for entry in steps if entry.kind in {"let", "each"})
         for key in {key for entry in lets for key in self.frame.outline.bound_keys(entry.target)}:
             state = self.memory.again(key, before, state)
         return state
+
+    @cached_property
+    def _beyond(self) -> Set[int]:
+        return frozenset(declared_beyond(self.frame.outline.block))
 
     def _step(self, step: Step, state: State) -> State | None:
         if isinstance(step, int):

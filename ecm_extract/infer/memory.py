@@ -106,8 +106,8 @@ class Memory:
 
     def again(self, key: str, before: State, state: State) -> State:
         """Return the state behind a block that hid a variable by another one: it holds what it held before."""
-        if key not in before.holds:
-            return state
+        if key not in before.holds:  # a parameter as it was given, or one of the object or of a namespace
+            return state.without({key, *state.holds.within(key)})
         known = {part: before.holds[part] for part in (key, *before.holds.within(key))}
         return state.without(state.holds.within(key)).having(known)
 

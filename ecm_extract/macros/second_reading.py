@@ -7,15 +7,14 @@ Source: [cpp.replace] of the C++ standard.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from ecm_parsers.source.cpp_macro_definitions import HINT, is_calling, leading
 from ecm_parsers.source.facts import Replacement, SourceFile
 
 from ecm_extract.link.code.units import File
 from ecm_extract.link.owning.built import files_of
+from ecm_extract.macros.reached import Reached
 from ecm_extract.macros.rows import HeaderRow, macros_of_headers
 from ecm_extract.read.cuts import located
 from ecm_extract.read.facts import PackageFacts
@@ -24,7 +23,6 @@ from ecm_extract.resolve.layout import layouts
 from ecm_extract.resolve.sight import Sight
 from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
 
-_WORD = re.compile(rb"[A-Za-z_]\w*")
 _Macros = tuple[Replacement, ...]
 _Known = Mapping[str, _Macros]
 
@@ -51,10 +49,12 @@ def read_with_header_macros(packages: Sequence[PackageFacts], tree: Tree, rows: 
         return
     from ecm_parsers.source.cpp import MACROS_CUT, parse_cpp
 
+    reached = Reached()
     for path, data in tree.read_many(list(wanted)):
         found = wanted[path]
-        if _may_call(data, found.macros):
-            read = parse_cpp(data, found.macros)
+        macros = reached.by(data, found.macros)
+        if macros:
+            read = parse_cpp(data, macros)
             for entry in read.diagnostics:
                 if entry.code == MACROS_CUT:
                     tree.report(located(path, entry))
@@ -100,13 +100,3 @@ def _seen(file: File, headers: Collection[File], known: _Known) -> Iterator[Repl
             yield from known[module]
     for header in headers:
         yield from header.facts.exported
-
-
-def _may_call(data: bytes, macros: _Macros) -> bool:
-    """Whether a file names a macro that calls something, or one with a macro of its own behind it."""
-    words = set(_WORD.findall(data))
-    named = [each.name for each in macros if each.name in words]
-    if not named:
-        return False
-    calling = leading([each.name for each in macros if is_calling(each)], macros)
-    return not calling.isdisjoint(named) or HINT.search(data) is not None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from ecm_parsers.behavior_tree import BehaviorTreeFile
@@ -59,3 +60,8 @@ class PackageFacts:
             return self.manifest.name
         project = next((file.project for file in self.cmake.values() if file.project), None)
         return project or self.root.folder or "package"
+
+
+def function_count(packages: Iterable[PackageFacts]) -> int:
+    """How many functions the sources of packages define, which says how long linking them takes."""
+    return sum(len(source.functions) for facts in packages for source in facts.sources.values())

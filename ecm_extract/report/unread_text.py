@@ -19,7 +19,7 @@ _WHAT: Final[Mapping[Reason, str]] = {
     "malformed": "package.xml that cannot be read as one",
     "unjudged": "file(s) beyond what one run of lint judges",
     "stopped": "rule(s), or file(s) with a function, at which ecm-extract stopped with a fault of its own",
-    "unfollowed": "file(s) with a function that takes more steps than are followed",
+    "unfollowed": "file(s) with code that is not followed to its end",
     "outside": "file(s) that give a node to a function or class which is not in the tree",
     "undecided": "file(s) that call macros of which a build chooses the definition",
     "generated": "source(s) of programs or libraries that a build makes",
@@ -35,7 +35,7 @@ _DO: Final[Mapping[Reason, str]] = {
     "malformed": "correct it",
     "unjudged": "lint the packages one by one",
     "stopped": "report it, with what ECM_DEBUG=1 prints",
-    "unfollowed": "split what is told of it, or read the packages one by one",
+    "unfollowed": "the summary has its lines, and what to do about each",
     "outside": "read its package as well, or add a row for it to ecm.toml",
 }
 

@@ -15,7 +15,7 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.resolve.aliases import Aliases
 from ecm_extract.resolve.views import View
 
-MAX_RENAMES = 4
+MAX_RENAMES = 10
 """How many aliases in front of `::` are followed: code that compiles needs two or three."""
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
+from ecm_parsers.source.expr import Name
+
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.resolve.aliases import Aliases
 from ecm_extract.resolve.cpp_classes import CppClasses
@@ -66,8 +68,16 @@ class Names:
         return outcome((each for each in self._python.find(name, file, scope) if isinstance(each, Cls)), name)
 
     def alias(self, name: str, file: File, scope: str) -> str | None:
-        """Return what the alias stands for that a C++ name means."""
-        return self._classes.alias(name, file, scope) if file.language != "python" else None
+        """Return what the alias stands for that a C++ name means, or the macro of another name."""
+        if file.language == "python":
+            return None
+        return self._classes.alias(name, file, scope) or self._of_macro(name, file, scope)
+
+    def _of_macro(self, name: str, file: File, scope: str) -> str | None:
+        """`#define MESSAGE std_msgs::String`."""
+        found = self._constants.find(name, file, scope) if "::" not in name else None
+        value = found.constant.value if isinstance(found, Stated) and "define" in found.constant.traits else None
+        return value.id if isinstance(value, Name) and "::" in value.id else None
 
     def readings(self, name: str, file: File, scope: str) -> Iterable[str]:
         """Return the qualified names that a name can have in a scope of a C++ file, also of what the tree lacks."""

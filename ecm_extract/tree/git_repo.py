@@ -184,13 +184,14 @@ def _is_special(place: Path) -> bool:
 
 def _config(repo: GitRepo) -> str:
     """A config of ours, with the two settings without which the objects or refs cannot be read."""
-    found = {key.lower(): value.lower() for key, value in _EXTENSION.findall(_config_text(repo))}
+    found = {key.lower(): value.lower() for key, value in _EXTENSION.findall(config_text(repo))}
     extensions = "".join(f"\t{key} = {value}\n" for key, value in found.items())
     version = 1 if found else 0
     return f"[core]\n\trepositoryformatversion = {version}\n\tbare = true\n[extensions]\n{extensions}"
 
 
-def _config_text(repo: GitRepo) -> str:
+def config_text(repo: GitRepo) -> str:
+    """What the repository's own configuration says, cut where it is too long; empty where there is none."""
     file = repo.common_dir / "config"
     if not file.is_file():
         return ""

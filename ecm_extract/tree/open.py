@@ -9,7 +9,7 @@ from ecm_extract.tree.directory import DirectoryTree
 from ecm_extract.tree.git_ref import GitTree
 from ecm_extract.tree.git_repo import GitRepo, find_repo
 from ecm_extract.tree.ref_hints import shown
-from ecm_extract.tree.refs import head_commit, resolve_commit, resolve_tree
+from ecm_extract.tree.refs import head_commit, resolve_tree
 from ecm_extract.tree.remote import repository_name
 from ecm_extract.tree.submodules import FILE_NAME, submodules_at
 from ecm_extract.tree.superproject import SuperprojectTree
@@ -52,11 +52,11 @@ def open_ref(folder: Path, ref: str) -> Tree:
     """
     repo = open_repo(folder)
     name, _, subdir = ref.partition(":")
-    commit = resolve_commit(repo, name)
     place = _inside(repo, folder, subdir)
+    commit, tree_id = resolve_tree(repo, name, place)
     tree = GitTree(
         repo,
-        resolve_tree(repo, commit, place),
+        tree_id,
         label=printable(f"{repo.name}@{ref}"),
         commit=commit,
         repository=repository_name(repo),

@@ -1,6 +1,7 @@
 """Refs as people use them: which commit a name means, which releases lie behind it, where two lines part."""
 
 import re
+from collections.abc import Sequence
 
 import msgspec
 
@@ -40,23 +41,22 @@ def resolve_commit(repo: GitRepo, ref: str) -> str:
     Raises:
         RefError: there is none; the hint names the nearest refs and the line that fetches it.
     """
-    found = _describe(repo, f"{ref}^{{commit}}") if _is_sane(ref) else None
-    if found is None:
-        raise _no_commit(repo, ref)
-    return found[0]
+    return _resolve_commits(repo, [ref])[0]
 
 
-def resolve_tree(repo: GitRepo, commit: str, subdir: str) -> str:
-    """Tree id of the folder `subdir` (`''` for the root) at a commit id.
+def resolve_tree(repo: GitRepo, ref: str, subdir: str) -> tuple[str, str]:
+    """Ids of the commit that `ref` means and of the folder `subdir` (`''` for the root) there, out of one process.
 
     Raises:
-        RefError: the folder does not exist at that commit.
+        RefError: there is no such ref, or no such folder at its commit.
     """
-    found = _describe(repo, f"{commit}:{subdir}") if _is_sane(f"{commit}:{subdir}") else None
-    if found is None or found[1] != "tree":
-        message = f"{repo.name} has no folder {printable(subdir)!r} at {commit[:12]}."
+    names = [f"{ref}^{{commit}}", f"{ref}^{{commit}}:{subdir}"]
+    commit, tree = describe_objects(repo, names) if all(map(_is_sane, names)) else (None, None)
+    if tree is None or tree[1] != "tree" or commit is None:
+        shown_commit = resolve_commit(repo, ref)[:12]
+        message = f"{repo.name} has no folder {printable(subdir)!r} at {shown_commit}."
         raise RefError(message, "Check the path; it may have another name at that ref.")
-    return found[0]
+    return commit[0], tree[0]
 
 
 def head_commit(repo: GitRepo) -> str | None:
@@ -74,8 +74,7 @@ def merge_base(repo: GitRepo, one: str, other: str) -> str | None:
     Raises:
         RefError: one of the refs does not exist.
     """
-    ids = [resolve_commit(repo, ref) for ref in (one, other)]
-    status, out = repo.run("merge-base", *ids, accept=(0, 1))
+    status, out = repo.run("merge-base", *_resolve_commits(repo, [one, other]), accept=(0, 1))
     return out.decode("ascii").split()[0] if status == 0 else None
 
 
@@ -118,6 +117,17 @@ def as_release(name: str, commit: str) -> ReleaseTag | None:
     numbers = [int(number) for number in match["numbers"].split(".")]
     padded = numbers + [0] * (6 - len(numbers))
     return ReleaseTag(name, commit, (*padded, int(match["revision"] or 0)), bool(match["pre"]))
+
+
+def _resolve_commits(repo: GitRepo, refs: Sequence[str]) -> list[str]:
+    """Commit ids of refs out of one process; the first that is none is told."""
+    names = [f"{ref}^{{commit}}" for ref in refs if _is_sane(ref)]
+    found = dict(zip(names, describe_objects(repo, names) if names else (), strict=True))
+    commits = [(ref, found.get(f"{ref}^{{commit}}")) for ref in refs]
+    for ref, commit in commits:
+        if commit is None:
+            raise _no_commit(repo, ref)
+    return [commit[0] for _, commit in commits if commit is not None]
 
 
 def _describe(repo: GitRepo, name: str) -> tuple[str, str] | None:

@@ -5,7 +5,7 @@ from urllib.parse import urlsplit
 
 from ecm_extract.errors import EcmError
 from ecm_extract.tree.base import printable
-from ecm_extract.tree.git_repo import GitRepo
+from ecm_extract.tree.git_repo import GitRepo, config_text
 
 _SCP_FORM = re.compile(r"(?:[^@/]*@)?(?P<host>[\w.-]{2,}):(?P<path>[^:]+)")
 _SHELL_SAFE = re.compile(r"[\w][\w.-]*")
@@ -28,7 +28,7 @@ def remotes(repo: GitRepo) -> list[str]:
 def _configured(repo: GitRepo, *query: str) -> str:
     """What the repository's own configuration says; empty where it says nothing, or git is not installed."""
     config = repo.common_dir / "config"
-    if not config.is_file():
+    if "remote" not in config_text(repo).lower():
         return ""
     try:
         # --file reads one text file: no program that it names is run, no include followed.

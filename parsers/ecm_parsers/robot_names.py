@@ -36,6 +36,12 @@ class NamedLine(msgspec.Struct, frozen=True):
     tests: tuple[Guard, ...] = ()
 
 
+class NamedArgument(NamedLine, frozen=True):
+    """What `<xacro:arg>` lets people give on the command line, with its default as written; None where it has none."""
+
+    default: str | None = None
+
+
 class _Placed(msgspec.Struct, frozen=True):
     """An element with its tag and the tests around it."""
 
@@ -50,12 +56,14 @@ class RobotNames(msgspec.Struct, frozen=True):
     Attributes:
         links: that it declares. commands: `joint/interface` of its hardware.
         parents: links that its joints name, whoever declares them. includes: files, as written.
+        arguments: of xacro, which whoever expands the file may give.
     """
 
     links: tuple[NamedLine, ...] = ()
     commands: tuple[NamedLine, ...] = ()
     parents: tuple[NamedLine, ...] = ()
     includes: tuple[NamedLine, ...] = ()
+    arguments: tuple[NamedArgument, ...] = ()
 
 
 def is_whole_robot(data: bytes) -> bool:
@@ -77,6 +85,7 @@ def parse_robot_names(data: bytes) -> Parsed[RobotNames]:
         commands=tuple(entry for each in placed if each.tag == "ros2_control" for entry in _commands(each)),
         parents=tuple(entry for each in placed if each.tag == "joint" for entry in _ends(each)),
         includes=tuple(_named(each, "filename") for each in placed if each.tag == "include"),
+        arguments=tuple(_argument(each) for each in placed if each.tag == "arg" and each.element.get("name")),
     )
     return Parsed(names, tree.diagnostics)
 
@@ -95,6 +104,11 @@ def _inside(tag: str, element: etree._Element, tests: tuple[Guard, ...]) -> tupl
 
 def _named(placed: _Placed, attribute: str) -> NamedLine:
     return NamedLine(str(placed.element.get(attribute, "")), line_of(placed.element), placed.tests)
+
+
+def _argument(placed: _Placed) -> NamedArgument:
+    at, default = _named(placed, "name"), placed.element.get("default")
+    return NamedArgument(at.name, at.line, at.tests, None if default is None else str(default))
 
 
 def _commands(hardware: _Placed) -> Iterator[NamedLine]:

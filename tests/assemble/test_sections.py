@@ -166,7 +166,8 @@ def test_a_frame_that_is_not_the_only_one(body: str, workspace: Workspace) -> No
 
 def test_a_default_that_another_default_overrides(workspace: Workspace) -> None:
     """Which of them holds is decided while the module runs, so neither is told."""
-    found = contract(workspace, 'get_parameter_or<int>("depth", d, 1); get_parameter_or<int>("depth", d, 2);')
+    reads = 'get_parameter_or<int>("depth", d, 1); get_parameter_or<int>("depth", d, 2);'
+    found = contract(workspace, f'declare_parameter<int>("depth"); {reads}')
     assert [(each.name, each.default) for each in found.signature.interfaces] == [("depth", None)]
 
 

@@ -25,7 +25,9 @@ def changes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> object:
         release(folder, {"arm/package.xml": package("arm"), **old}, "1.0.0")
         release(folder, new, "2.0.0")
         run(["diff", "1.0.0", "2.0.0", "--repo", str(folder), "--format", "json", "--no-cache"])
-        found: list[dict[str, Any]] = json.loads(capsys.readouterr().out)["changes"]
+        got = capsys.readouterr()
+        assert got.out, got.err
+        found: list[dict[str, Any]] = json.loads(got.out)["changes"]
         return found
 
     return compare

@@ -10,7 +10,8 @@ from ecm_checker.match.hierarchy import Bases
 
 from ecm_extract.diff.effects import type_changed
 from ecm_extract.diff.model import Pair
-from ecm_extract.diff.pair import Evidence, Pairing
+from ecm_extract.diff.pair import Pairing
+from ecm_extract.diff.still_there import Evidence
 
 
 def entity(kind: str, name: str, owner: str = "node", **more: Any) -> Provision:

@@ -6,6 +6,7 @@ import pytest
 
 HEADER = "#pragma once\nnamespace arm {\nclass Arm { public: void move(); };\n}\n"
 SOURCE = '#include "arm/arm.hpp"\nvoid arm::Arm::move() {}\nint main() {}\n'
+USING = '#include "arm/arm.hpp"\nusing arm::Arm;\nvoid Arm::move() {}\nint main() {}\n'
 INSTALLS = "install(DIRECTORY include/ DESTINATION include)\n"
 
 
@@ -17,6 +18,7 @@ INSTALLS = "install(DIRECTORY include/ DESTINATION include)\n"
         ("add_executable(arm src/arm.cpp)\nadd_library(other src/other.cpp)\n", SOURCE, False),
         ("add_executable(arm src/arm.cpp)\nadd_library(other ${SOURCES})\n", SOURCE, True),
         ("add_executable(arm src/arm.cpp)\n", "int main() {}\n", True),
+        ("add_executable(arm src/arm.cpp)\n", USING, False),
     ],
 )
 def test_headers_whose_code_only_a_program_has(told, build: str, source: str, is_public: bool) -> None:  # type: ignore[no-untyped-def]
@@ -41,6 +43,29 @@ def test_modules_that_a_console_script_starts(told, entry: str, init: str, is_pu
     old = {"arm/setup.py": SETUP.replace("{entry}", entry), "arm/arm/__init__.py": init, "arm/arm/driver.py": DRIVER}
     found = told(old, {"arm/arm/driver.py": DRIVER.replace("move", "stop_all")})
     assert any(entry[0] == "method" for entry in found) is is_public
+
+
+@pytest.mark.parametrize(
+    ("init", "expected"),
+    [
+        ("", {("executable", "removed", "drive", None)}),
+        (
+            "from .driver import Driver\n",
+            {
+                ("executable", "removed", "drive", None),
+                ("class", "removed", "arm.driver.Driver", None),
+                ("function", "removed", "arm.driver.main", None),
+            },
+        ),
+    ],
+)
+def test_modules_that_a_rule_installs_as_programs(told, init: str, expected: set[object]) -> None:  # type: ignore[no-untyped-def]
+    """A module that is a program by its rule is that under the name it gets, unless another module offers it."""
+    make = "project(arm)\nament_python_install_package(arm)\n"
+    rule = "install(PROGRAMS arm/driver.py DESTINATION lib/arm RENAME drive)\n"
+    old = {"arm/CMakeLists.txt": make + rule, "arm/arm/__init__.py": init, "arm/arm/driver.py": DRIVER}
+    found = told(old, {"arm/CMakeLists.txt": make, "arm/arm/driver.py": "import os\n"})
+    assert {entry for entry in found if entry[1] != "added"} == expected
 
 
 @pytest.mark.parametrize(

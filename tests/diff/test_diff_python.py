@@ -26,7 +26,52 @@ def _named(what: str) -> Files:
     return {"arm/setup.py": setup, "arm/arm/__init__.py": ""}
 
 
+_BINDINGS = """#include <pybind11/pybind11.h>
+PYBIND11_MODULE(qos, m) {
+  py::class_<arm::Policy>(m, "QoSPolicy").def("first", &arm::Policy::first);
+  m.def("stop", &arm::stop);
+}
+"""
+_GRIPPER = "class Gripper(Tool):\n    def __init__(self, size):\n        pass\n    def grip(self):\n        pass\n"
+_TOOL = "class Tool:\n    def grip(self):\n        pass\n"
+_DATA = "@dataclass\nclass Tool:\n    size: int\n"
+
 CASES = {
+    "a module is compiled now, with what its bindings name": (
+        _module("class QoSPolicy:\n    def first(self):\n        pass\ndef stop():\n    pass\ndef halt():\n    pass\n"),
+        {
+            "arm/arm/qos.py": None,
+            "arm/CMakeLists.txt": "project(arm)\npybind11_add_module(qos src/qos.cpp)\n",
+            "arm/src/qos.cpp": _BINDINGS,
+        },
+        {("function", "removed", "arm.qos.halt", None)},
+        True,
+    ),
+    "a method is in a base of another module now": (
+        {**_module(f"from .tool import Tool\n{_GRIPPER}"), "arm/arm/tool.py": "class Tool:\n    pass\n"},
+        {**_module(f"from arm import Tool\n{_GRIPPER[: _GRIPPER.index('    def grip')]}"), "arm/arm/tool.py": _TOOL}
+        | {"arm/arm/__init__.py": "from .tool import Tool\n"},
+        set(),
+        False,
+    ),
+    "what writes a constructor is not known": (
+        _module(f"from dataclasses import dataclass\n{_DATA}"),
+        {**_module(f"from .compatible import dataclass\n{_DATA}"), "arm/arm/compatible.py": "def dataclass(c): ..."},
+        set(),
+        False,
+    ),
+    "nothing writes a constructor": (
+        _module(f"from dataclasses import dataclass\n{_DATA}"),
+        _module("class Tool:\n    size: int\n"),
+        {("method", "removed", "__init__", None)},
+        True,
+    ),
+    "a constant of a class that is gone, and one of a new class": (
+        _module("class Tool:\n    MIN_SIZE = 2\n"),
+        _module("class Wheel:\n    MIN_SIZE = 2\n"),
+        {("class", "removed", "arm.qos.Tool", None)},
+        True,
+    ),
     "the old name stands for the new class": (
         _module(OLD),
         _module(OLD.replace("QoSPolicy", "Policy") + "\nQoSPolicy = Policy\n"),

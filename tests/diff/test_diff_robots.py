@@ -99,6 +99,19 @@ def test_a_frame_of_ones_own_is_no_use(tmp_path: Path, capsys: pytest.CaptureFix
     assert compared(tmp_path, capsys, {"mine.xacro": XACRO.format(own)})["findings"] == []
 
 
+def test_arguments_of_a_description(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Who gives one that is gone gives it for nothing; a file that goes takes its own with it."""
+    before = XACRO.format('<xacro:arg name="side" default="left"/><xacro:arg name="imu_x" default="0"/>')
+    after = XACRO.format('<xacro:arg name="side" default="right"/><xacro:arg name="imu_xyz" default="0 0 0"/>')
+    robots(tmp_path, before, after)
+    found = {entry for entry in told(compared(tmp_path, capsys, {})) if entry[0] == "xacro_argument"}
+    assert found == {
+        ("xacro_argument", "default_changed", "side", "side", False),
+        ("xacro_argument", "removed", "imu_x", None, True),
+        ("xacro_argument", "added", None, "imu_xyz", False),
+    }
+
+
 def test_a_command_interface_that_is_gone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Controllers that claim it are refused."""
     robots(tmp_path, ROBOT.format(camera="eye", commands=VELOCITY), ROBOT.format(camera="eye", commands=""))
@@ -139,6 +152,19 @@ def test_trees_of_consumers_break(
     found = compared(tmp_path, capsys, {"trees/m.xml": tree})
     assert change in {each["kind"] for each in found["changes"]}
     assert [(each["evidence"][0]["line"], what in each["message"]) for each in found["findings"]] == [(2, True)]
+
+
+def test_trees_name_a_node_without_its_package(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What a renamed package registers is called as it was."""
+    source = TREES.format(name="Go", port="speed")
+    gone: dict[str, str | None] = {}
+    for tag, name in (("1.0.0", "cell"), ("2.0.0", "box")):
+        files = {f"{name}/src/{each}.cpp": f"// {each}\n{source}" for each in ("go", "come", "wait")}
+        files |= {f"{name}/package.xml": package(name, tag)}
+        release(tmp_path / "cell", {**gone, **files}, tag)
+        gone = dict.fromkeys(files)
+    found = compared(tmp_path, capsys, {})
+    assert {(each["kind"], each["breaking"]) for each in found["changes"]} == {("package", True)}
 
 
 BASE = """#include <behaviortree_cpp/bt_factory.h>

@@ -117,3 +117,21 @@ def test_another_value_on_the_server_is_told(changes) -> None:  # type: ignore[n
     old = {"arm/package.xml": ROS1, "arm/launch/a.launch": _launch1('<param name="model" value="m"/>')}
     found = _told(changes(old, {"arm/launch/a.launch": _launch1('<param name="model" value="n"/>')}))
     assert [each[2:] for each in found] == [("launch/a.launch", "model", "model", "m", "n", False)]
+
+
+@pytest.mark.parametrize(
+    ("rules", "is_told"), [("install(DIRECTORY config DESTINATION share/arm)\n", True), ("", False)]
+)
+def test_a_file_that_users_got_is_gone(told, rules: str, is_told: bool) -> None:  # type: ignore[no-untyped-def]
+    """Who names it by the package finds nothing; what it set goes with it."""
+    old = {CONFIG: FILE % "10", "arm/config/other.yaml": MORE, "arm/CMakeLists.txt": CMAKE % rules}
+    gone = ("parameter_file", "removed", "config/arm.yaml", None)
+    assert told(old, {CONFIG: None}) == ({gone} if is_told else set())
+
+
+def test_a_file_that_users_got_lies_elsewhere(told) -> None:  # type: ignore[no-untyped-def]
+    """It is the same file, and those who name it must follow."""
+    rules = CMAKE % "install(DIRECTORY config params DESTINATION share/arm)\n"
+    old = {CONFIG: FILE % "10", "arm/CMakeLists.txt": rules}
+    found = told(old, {CONFIG: None, "arm/params/arm.yaml": FILE % "10"})
+    assert found == {("parameter_file", "moved", "config/arm.yaml", "params/arm.yaml")}

@@ -6,7 +6,8 @@ import msgspec
 import pytest
 from ecm_checker.hub.provision import Provision
 
-from ecm_extract.diff.pair import Evidence, Pairing
+from ecm_extract.diff.pair import Pairing
+from ecm_extract.diff.still_there import Evidence
 
 
 def _topic(owner: str, path: str, *sharers: str) -> Provision:

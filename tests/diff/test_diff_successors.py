@@ -127,3 +127,17 @@ int main(int c, char ** v) {
     old = {"arm/package.xml": ros1, "arm/CMakeLists.txt": CMAKE, "arm/src/arm.cpp": source}
     found = told(old, {"arm/package.xml": package("arm"), "arm/src/arm.cpp": node('get_parameter("rate", rate_);')})
     assert not [entry for entry in found if entry[0] == "parameter"]
+
+
+def test_one_package_takes_the_place_of_one(told) -> None:  # type: ignore[no-untyped-def]
+    """Where files of two packages moved to a new one, only one of them has become that."""
+    names = [f"state_{number}" for number in range(4)]
+    old: dict[str, str | None] = {}
+    for robot in ("left", "right"):
+        old[f"{robot}/package.xml"] = package(robot)
+        old |= {f"{robot}/src/{name}.cpp": f"// {robot} {name}\nint {robot}_{name}();\n" for name in names}
+    new: dict[str, str | None] = {"both/package.xml": package("both")}
+    new |= {path.replace("left/src/", "both/src/left_"): text for path, text in old.items() if "left/src" in path}
+    new |= {path.replace("right/src/", "both/src/right_"): text for path, text in old.items() if "right/src" in path}
+    found = told(old, {**dict.fromkeys(old), **new})
+    assert sum(entry[:2] == ("package", "renamed") for entry in found) == 1

@@ -8,6 +8,7 @@ import pytest
 
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
+from ecm_extract.link.declaring import sites
 from ecm_extract.link.folding import steps
 from ecm_extract.link.running.values import MAX_LENGTH, TOO_LONG, joined, literal
 from ecm_extract.tree import open_tree
@@ -228,6 +229,21 @@ def test_a_name_behind_too_many_functions_is_told(workspace: Any, count: int, is
     told = [(entry.code, entry.line) for entry in found.diagnostics]
     assert told == [("values-left-out", count + 2)] * is_told
     assert [entry.reason for entry in found.unread] == ["unfollowed"] * is_told
+
+
+@pytest.mark.parametrize(("calls", "is_told"), [(3, False), (4, True)])
+def test_callers_that_are_too_far_out_are_told(
+    workspace: Any, monkeypatch: pytest.MonkeyPatch, calls: int, is_told: bool
+) -> None:
+    """A name that comes through more calls than are followed is open, and its place is a gap."""
+    monkeypatch.setattr(sites, "MAX_CHAIN", 3)
+    head = "void f0(rclcpp::Node & n, std::string t) { n.create_publisher<std_msgs::msg::String>(t, 1); }\n"
+    chain = "".join(f"void f{n}(rclcpp::Node & n, std::string t) {{ f{n - 1}(n, t); }}\n" for n in range(1, calls))
+    body = _CPP.format(f'f{calls - 1}(*this, "name");')
+    workspace.package({"src/d.cpp": head + chain + body})
+    found = extract(open_tree(workspace.root), Options(jobs=1))
+    assert [(each.code, each.line) for each in found.diagnostics] == [("values-left-out", 1)] * is_told
+    assert ("/name" in {entry.name for entry in workspace.interfaces()}) is not is_told
 
 
 def test_tests_behind_tests_that_nothing_passes_end(workspace: Any) -> None:

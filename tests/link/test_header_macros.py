@@ -10,6 +10,7 @@ from ecm_parsers.source.facts import Replacement, SourceFile
 
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
+from ecm_extract.macros.reached import Reached
 from ecm_extract.macros.undecided import declaring_macros
 from ecm_extract.tree import open_tree
 
@@ -31,6 +32,7 @@ ROWS = [
     ("two headers differ", {"src/get.hpp": GET, "src/other.hpp": OTHER, "src/all.hpp": '#include "get.hpp"\n#include "other.hpp"\n'},
      "all.hpp", "GET(rate, 10);", []),
     ("a function of the file", {"src/get.hpp": "#define GET(name, value) ask(node, #name, value)\n"}, "get.hpp", "GET(rate, 10);", ["rate"]),
+    ("a name put together of two", {"src/get.hpp": GET + "#define CALL(what) G##what(rate, 10)\n"}, "get.hpp", "CALL(ET);", ["rate"]),
     ("undefined behind it", {"src/get.hpp": GET + "#undef GET\n"}, "get.hpp", "GET(rate, 10);", []),
 ]  # fmt: skip
 
@@ -94,3 +96,20 @@ def test_macros_that_break_a_file_are_left_out_and_told(workspace: Any) -> None:
     }
     assert "/out" in names
     assert [each.reason for each in read.unread] == ["undecided"]
+
+
+def test_a_file_is_read_with_the_macros_that_it_may_come_to() -> None:
+    """Those that it names and those that these name, where one calls something; all where names are put together."""
+    get, short, other = (
+        Replacement(name, params, body)
+        for name, params, body in (
+            (b"GET", (b"name",), b"ask(name)"),
+            (b"SHORT", None, b"GET(rate)"),
+            (b"OTHER", (b"name",), b"say(name)"),
+        )
+    )
+    reached = Reached()
+    assert reached.by(b"int SHORT;", (other, get, short)) == [get, short]
+    assert not reached.by(b"int rate;", (other, get, short))
+    assert reached.by(b"int SHORT; a ## b", (other, get, short)) == (other, get, short)
+    assert not reached.by(b"int SIZE;", (Replacement(b"SIZE", None, b"3"), get))

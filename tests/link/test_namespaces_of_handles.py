@@ -113,3 +113,23 @@ def test_a_handle_that_a_method_keeps_before_it_asks_it(workspace: Any, space: s
         "src/demo.cpp": KEPT.format(space=space),
     }
     assert workspace.package(files, ros=1).only("subscriber").name == expected
+
+
+SCRIPT = """#!/usr/bin/env python
+import rospy
+from std_msgs.msg import String
+rospy.init_node("demo")
+rospy.Publisher({name}, String, queue_size=1)
+rospy.spin()
+"""
+
+
+@pytest.mark.parametrize("name", ['rospy.get_namespace() + "x"', 'rospy.get_namespace() + "/x"', '"x"'])
+def test_the_namespace_of_rospy_ends_with_a_slash(workspace: Any, name: str) -> None:
+    """What is written behind it is a name of its own, and not more of the last one."""
+    files = {
+        "CMakeLists.txt": "project(pkg)\ncatkin_install_python(PROGRAMS demo.py DESTINATION bin)\n",
+        "demo.py": SCRIPT.format(name=name),
+    }
+    found = workspace.package(files, ros=1).only("publisher")
+    assert (found.name, found.confidence == "pattern") == ("/x", False)

@@ -31,7 +31,10 @@ ROWS = [
     ('Other o; o.topic = "x"; nh_.advertise<std_msgs::Bool>(settings_.topic, 1);', {"/{topic}"}),
     ('pnh_.advertise<std_msgs::Bool>(ros::names::resolve("imu") + "/data", 1);', {"/imu/data"}),
     ("nh_.advertise<std_msgs::Bool>(ros::names::resolve(settings_.topic), 1);", {"/{topic}"}),
-    ('nh_.advertise<std_msgs::Bool>(ros::names::clean("left/" + nh_.resolveName("image")), 1);', {"/left/image"}),
+    (
+        'nh_.advertise<std_msgs::Bool>(ros::names::clean("left/" + nh_.resolveName("image")), 1);',
+        {"/left/{node namespace}/image"},
+    ),
     ("send();", set()),
     ('ros::NodeHandle image(nh_, "image"); image.advertise<std_msgs::Bool>("", 1);', {"/image"}),
     ('send(); send("said");', {"/said"}),

@@ -42,7 +42,12 @@ ROWS = [
     ("in braces that are returned", 'Nav made(ros::NodeHandle & n) { return {n, "given"}; }', "Nav nav(n);", OPEN),
     ("in an array", "", 'Nav nav(n); Nav all[1] = {{n, "given"}};', OPEN),
     ("in place", "", 'Nav nav(n); std::optional<Nav> other; other.emplace(n, "given");', BOTH),
-    ("a member by its default", 'struct Holder { ros::NodeHandle n; Nav nav_{n, "given"}; };', "Nav nav(n);", OPEN),
+    (
+        "a member by its default",
+        'struct Holder { ros::NodeHandle n; Nav nav_{n, "given"}; };',
+        "Nav nav(n);",
+        ["/fixed"],
+    ),
     ("a class that derives from it", BASE, "Nav nav(n); Own own(n);", ["/fixed", "/own"]),
 ]
 

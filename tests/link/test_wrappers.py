@@ -240,8 +240,8 @@ class ToPose : public Navigator<nav2_msgs::action::NavigateToPose> { ToPose() : 
 class Through : public Navigator<nav2_msgs::action::NavigateThroughPoses> { Through() : Navigator("b") {}
   std::string getName() override { return std::string("through"); } };"""
     modules = workspace.package({"src/n.cpp": text}).modules()
-    for name, action in (("to_pose", "NavigateToPose"), ("through", "NavigateThroughPoses")):
-        found = [entry for entry in modules[f"ecm.pkg.{name}"].signature.interfaces if entry.role == "action_server"]
+    for node, name, action in (("a", "to_pose", "NavigateToPose"), ("b", "through", "NavigateThroughPoses")):
+        found = [entry for entry in modules[f"ecm.pkg.{node}"].signature.interfaces if entry.role == "action_server"]
         assert [(entry.name, entry.type) for entry in found] == [(f"/{name}", f"nav2_msgs/action/{action}")]
 
 

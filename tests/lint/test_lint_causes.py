@@ -146,6 +146,17 @@ QUIET = [
         },
     ),
     (
+        "a source that the build leaves out",
+        "LNT024",
+        1,
+        {
+            "CMakeLists.txt": CATKIN.format("") + "add_executable(b b.cpp)\n",
+            "b.cpp": "int main() {}\n",
+            "a.cpp": "void f(Pub p) { sensor_msgs::Image t; t.height = 1; p.publish(t); }\n",
+        },
+    ),
+    ("data of a test", "LNT061", 2, {"test_data/a.yaml": "a: [1, 2\n"}),
+    (
         "a home folder",
         "LNT001",
         2,

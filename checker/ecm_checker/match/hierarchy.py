@@ -107,6 +107,10 @@ class Bases:
                 ]
         return ordered
 
+    def is_open(self, cls: str) -> bool:
+        """Whether a class or a base of it in the tree may have more than its body tells."""
+        return any(entity.open for name in self.ancestry(cls) for entity in self._classes.get(name, ()))
+
     def resolve(self, base: str, scope: str) -> str | None:
         """Return the qualified name that a base as written means inside a scope."""
         parts = scope.split("::")[:-1]

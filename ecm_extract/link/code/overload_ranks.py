@@ -18,7 +18,8 @@ from ecm_extract.link.code.numbers import NUMBERS
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Func
 
-_EXACT: Final = 3
+_EXACT: Final = 4
+_PROMOTED: Final = 3
 _CONVERTED: Final = 2
 _MADE: Final = 1
 """By a constructor or a method of a class."""
@@ -28,6 +29,7 @@ _KINDS: Final = MappingProxyType({**NUMBERS, "bool": "bool"})
 """Types of numbers with what they hold: what a literal is beside that, its suffix says."""
 _TRUTHS: Final = frozenset({"!", "&&", "||", "==", "!=", "<", ">", "<=", ">="})
 """Operators that give a `bool` of built-in types."""
+_CHARACTER: Final = "char"
 _CHARACTERS: Final = "char *"
 _TEXTS: Final = frozenset({"string", "string_view"})
 
@@ -79,7 +81,7 @@ def _is_better(one: Func, other: Func, taken: Mapping[Func, Sequence[_Taken]]) -
 def _type_given(arg: Expr, caller: Func) -> str:
     """The type of an argument, in a short form; empty where it is not seen."""
     if isinstance(arg, Text):
-        return _CHARACTERS
+        return _CHARACTER if arg.is_character else _CHARACTERS
     if isinstance(arg, Number):
         return "int" if isinstance(arg.value, int) else "double"
     if isinstance(arg, Constant):
@@ -109,7 +111,7 @@ def _returned(callee: Expr, caller: Func) -> str:
 
 
 def _short(written: str) -> str:
-    last = last_name(plain(written))
+    last = last_name(plain(written.partition("[")[0]))
     return _CHARACTERS if last == "char" and ("*" in written or "[" in written) else "" if "*" in written else last
 
 
@@ -122,6 +124,8 @@ def _rank(given: str, parameter: Parameter, func: Func) -> int | None:
         return _EXACT if wanted == "char" and given == _CHARACTERS else None
     if given in _KINDS:
         return _EXACT if _KINDS.get(wanted) == _KINDS[given] else _CONVERTED if wanted in _KINDS else None
+    if given == _CHARACTER and wanted in _KINDS:
+        return _PROMOTED if wanted == "int" else _CONVERTED
     if given == _CHARACTERS:
         return _CONVERTED if wanted == "bool" else _MADE if wanted in _TEXTS else None
     if given in _TEXTS and wanted in _KINDS:

@@ -87,26 +87,34 @@ def _fit(arg: Expr, parameter: Parameter, caller: Func, func: Func) -> int:
     if last in _OF_NUMBERS and isinstance(arg, Number | Lambda | Text):
         return 1 if isinstance(arg, Number) else NO
     if isinstance(arg, Text):
-        return _text_fit(last)
+        return _character_fit(last, parameter.type) if arg.is_character else _text_fit(last, parameter.type)
     if isinstance(arg, Number) or (isinstance(arg, Constant) and arg.name != "null"):
         return 2 if last in _NUMERIC or last.endswith("_t") else NO if "string" in last or last[:1].isupper() else 0
     if isinstance(arg, Lambda):
         return NO if "string" in last or last in _NUMERIC else 0
     if isinstance(arg, Name):
-        return _variable_fit(arg.id, wanted, caller)
+        return _variable_fit(arg.id, parameter, caller)
     made = arg.callee.id if isinstance(arg, Call) and isinstance(arg.callee, Name) else ""
     return 2 if made and made.rsplit("::", 1)[-1] == last else 0
 
 
-def _text_fit(last: str) -> int:
-    if "string" in last or last == "char":
+def _character_fit(last: str, written: str) -> int:
+    return NO if "string" in last or _is_address(written) else 2 if last == "char" else 0
+
+
+def _is_address(written: str) -> bool:
+    return "*" in written or "[" in written
+
+
+def _text_fit(last: str, written: str) -> int:
+    if "string" in last or (last == "char" and _is_address(written)):
         return 2
     if last == "bool":
         return 0  # an address is true
     return NO if last in _NUMERIC or last[:1].isupper() else 0
 
 
-def _variable_fit(name: str, wanted: str, caller: Func) -> int:
+def _variable_fit(name: str, parameter: Parameter, caller: Func) -> int:
     member = caller.cls.fields.get(name) if caller.cls is not None else None
     declared = caller.written_types.get(name, member.type if member is not None else "")
     if (
@@ -116,9 +124,12 @@ def _variable_fit(name: str, wanted: str, caller: Func) -> int:
         or plain(declared) in caller.fact.template
     ):
         return 0
-    last = wanted.rsplit("::", 1)[-1]
-    is_text = declared.startswith("char[") and last != "char"
-    actual = "string" if is_text else plain(declared).rsplit("::", 1)[-1]
+    last = plain(parameter.type).rsplit("::", 1)[-1]
+    if _is_address(parameter.type) and not _is_address(declared) and plain(declared) in _NUMERIC:
+        return NO  # a number is no address
+    if "char[" in declared:
+        return _text_fit(last, parameter.type)
+    actual = plain(declared).rsplit("::", 1)[-1]
     if actual == last:
         return 2
     return (

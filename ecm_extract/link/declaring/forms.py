@@ -56,6 +56,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         prefix: the method that gives the object a prefix for the names of its later calls.
         latch: position of the flag that keeps the last message for who comes later (ROS 1).
         undeclared: the row holds only where the node takes parameters that it does not declare.
+        reads: the call declares nothing, and its row holds only where somebody does or the node takes any.
         transport: position of the transport of a subscription, or `hints` where an object among the arguments has it.
         needed: a call with a template argument and without a default stops the node where nobody sets the parameter.
     """
@@ -87,6 +88,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     prefix: str = ""
     latch: str = ""
     undeclared: bool = False
+    reads: bool = False
     needed: bool = False
     transport: str = ""
 

@@ -17,7 +17,7 @@ from ecm_extract.link.declaring.signs import Signs
 from ecm_extract.link.declaring.undeclared import Undeclared
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.module_kinds import is_node_base
-from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.other_nodes import asks_another_node
 
 _TRUE = Constant("true")
@@ -107,9 +107,13 @@ class Matcher:
         written = self.folder.objects.type_of(call.receiver, env)
         if not written:
             return self.signs.show(form, call, env)
-        bare = plain(pointee(written))
-        target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
-        return any(_is_of(plain(pointee(target)), entry) for entry in form.receiver)
+        target = plain(pointee(written))
+        for _ in range(MAX_DEPTH):
+            alias = self.folder.program.alias(target, call.func.file, env.scope)
+            if alias is None:
+                break
+            target = plain(pointee(alias))
+        return any(_is_of(target, entry) for entry in form.receiver)
 
     def _derives(self, form: Form, call: Invocation) -> bool:
         """Whether the class of the object at hand derives from one of the row, and has no such method itself."""

@@ -23,8 +23,8 @@ from ecm_extract.link.running.class_lines import ahead
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import Hole, Value
 
-MAX_CHAIN = 5
-"""Calls through which a handle or a profile is followed."""
+MAX_CHAIN = 8
+"""Calls through which a name, a handle or a profile is followed."""
 _OF_TABLES: Final = frozenset({"get", "pop"})
 _INITIALISING = frozenset({"init", "let", "set"})
 """Statements by which a constructor makes a member: in its initialiser list, or in its body."""
@@ -92,7 +92,7 @@ class Openness:
         made: frozenset[str] = frozenset()
         pending: Iterable[tuple[Expr | None, Env]] = [(expr, site.env)]
         around = list(self.folder.nesting.around(site.root))
-        for _ in range(MAX_CHAIN):
+        for _ in range(2 * (MAX_CHAIN + 1)):  # in each function its parameter, and the member that is made of it
             if accepts == self._is_made_of:
                 pending = [(part, env) for each, env in pending for part in _parts(each)]
             for each, env in pending:

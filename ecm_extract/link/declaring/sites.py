@@ -32,6 +32,7 @@ from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.transports import transported
 from ecm_extract.link.declaring.unbound import bound
+from ecm_extract.link.declaring.unheard import heard
 from ecm_extract.link.declaring.ways_in import WaysIn
 from ecm_extract.link.declaring.wrappers import remember_wrapper
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
@@ -104,7 +105,7 @@ class Sites:
         self.folder.states.callers.find = self._calling
         self.folder.states.callers.making = self._made
         self.folder.lasting.find()
-        matcher.undeclared.makers = self._making
+        matcher.undeclared.makers = lambda cls: (call.func for call, _ in self._made(cls))
         matcher.undeclared.callers = self._askers
 
     def find(self, parameters: bool) -> list[Site]:
@@ -115,7 +116,7 @@ class Sites:
             for call in self._dead.without(self.calls.get(last, ())):
                 with self.folder.faults.of(call.func):
                     found += [closed for site in self._direct(call, parameters) for closed in self._closed(site)]
-        return found
+        return heard(found, self.matcher.undeclared, self.program) if parameters else found
 
     def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func
@@ -166,7 +167,7 @@ class Sites:
             current = pending.popleft()
             if self._types.leads_elsewhere(current):
                 continue
-            wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
+            wider = self._further(current)
             further = (current.certain, current.owner, *((each.chain, each.owner, each.env.this) for each in wider))
             if not wider or self._has_other_callers(current, wider):
                 closed.extend(map(self._spread_out, self.ways.in_each_state(current.as_written())))
@@ -176,8 +177,17 @@ class Sites:
             if wider and further not in widened:  # states of what was outermost make no difference further out
                 widened.add(further)
                 pending.extend(wider)
+        if pending:
+            self.folder.steps.give_up(site.env)
         closed += [replace(site, certain=False)] * any(map(self._goes_on, closed))
         return self._alike_in_all_states(closed)
+
+    def _further(self, site: Site) -> Sequence[Site]:
+        """A site seen from one call further out; where that is too far, the place is told."""
+        wider = self._wider(site)
+        if len(site.chain) >= MAX_CHAIN and next(wider, None) is not None:
+            self.folder.steps.give_up(site.env)
+        return list(wider) if len(site.chain) < MAX_CHAIN else []
 
     def _has_other_callers(self, site: Site, wider: Sequence[Site]) -> bool:
         """Tell whether somebody may call the outermost function of a site who is none of those that do."""
@@ -302,15 +312,13 @@ class Sites:
                 for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
                     known = site.certain and certain and sure
                     each = replace(site, certain=known, sole=site.sole and sure, exact=exact)
-                    yield self._made_at(each, cls, call, at, outer)
+                    inner = self._in_made(Env(site.root, at), cls, call, outer)
+                    yield self._widened(each, call, outer, inner)
 
     def is_base_of(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes the base of a derived object, which is no object of its own."""
         maker = call.func.cls
         return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
-
-    def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int, outer: Env) -> Site:
-        return self._widened(site, call, outer, self._in_made(Env(site.root, at), cls, call, outer))
 
     def _in_made(self, place: Env, cls: Cls, call: Invocation, outer: Env) -> Env:
         """A statement of a method, of an object that a call makes."""
@@ -336,9 +344,6 @@ class Sites:
 
     def _made(self, cls: Cls) -> Iterator[tuple[Invocation, Env]]:
         return ((call, self._place(call)) for call in self.calls.get(cls.fact.name, ()) if self.makes(call, cls))
-
-    def _making(self, cls: Cls) -> Iterator[Func]:
-        return (call.func for call, _ in self._made(cls))
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""

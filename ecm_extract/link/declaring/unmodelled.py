@@ -18,9 +18,11 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.module_kinds import is_node_base
 from ecm_extract.link.running.env import Env
 from ecm_extract.tree import FileDiagnostic, Unread, printable
+from ecm_extract.tree.unread import Reason
 
 CODE: Final = "handle-given-outside"
-COMPUTED: Final = "method-by-computed-name"
+_OUTSIDE: Final[Reason] = "outside"
+_UNFOLLOWED: Final[Reason] = "unfollowed"
 _HANDLE: Final = "NodeHandle"
 _LANGUAGE: Final = frozenset({"std", "boost", "ros"})
 """Namespaces whose functions declare nothing but what rows tell of."""
@@ -103,6 +105,5 @@ def _told(path: str, name: str, line: int) -> FileDiagnostic:
         f"{asked} asks a node for a method by a name that is put together: what that declares is not told. "
         "Call the method by its name, or by a table of methods."
     )
-    if name == MADE_UP:
-        return FileDiagnostic("warning", COMPUTED, shown, line, made_up, Unread(shown, "unfollowed"))
-    return FileDiagnostic("warning", CODE, shown, line, given, Unread(shown, "outside"))
+    text, reason = (made_up, _UNFOLLOWED) if name == MADE_UP else (given, _OUTSIDE)
+    return FileDiagnostic("warning", CODE, shown, line, text, Unread(shown, reason))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call
 
 from ecm_extract.infer.effects import is_plain
-from ecm_extract.infer.held import Held, all_ways
+from ecm_extract.infer.held import Held, How, all_ways
 from ecm_extract.infer.places import as_written, owners
 from ecm_extract.link.folding.fields_left import field_left
 from ecm_extract.link.running.arguments import bind
@@ -43,7 +43,8 @@ class BehindCalls:
             end = inner.within(run.end, len(inner.func.fact.body))
             return (Held("value", held.name, as_written(held.name), end),), inner
         if self._is_changed_unseen(held, inner):
-            return (Held("lost", held.name),), inner
+            how: How = "handed" if self._is_changed_inside(held, inner) else "lost"
+            return (Held(how, held.name, before=held.before),), env
         return (held.before, env) if not run.end.called else ((Held("shared", held.name),), inner)
 
     def _is_changed_unseen(self, held: Held, env: Env) -> bool:
@@ -58,6 +59,13 @@ class BehindCalls:
             return False
         fixed = all(each.how == "value" and is_plain(each.expr) for each in all_ways(held.before))
         return inside or not (fixed and held.before and env.func.file.language == "python" and "." not in held.name[1:])
+
+    def _is_changed_inside(self, held: Held, env: Env) -> bool:
+        """Whether a method of Python may only have changed what a member consists of: by a list that it stands in."""
+        if env.func.file.language != "python" or "." in held.name[1:] or not held.before:
+            return False
+        outline = self.folder.flow.outline(env.func)
+        return held.name not in outline.escaped and held.name not in self.folder.methods.changed_through(env.func)
 
     def out(self, held: Held, env: Env) -> tuple[tuple[Held, ...], Env] | None:
         """Return what a parameter of a called function holds when it returns, with the place to evaluate it at."""

@@ -7,7 +7,6 @@ defaults, functions that return a value. Every result has a confidence; unknown 
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
-from itertools import islice, product
 from typing import Any
 
 from ecm_parsers.source.expr import (
@@ -27,6 +26,7 @@ from ecm_parsers.source.expr import (
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
 from ecm_extract.link.folding.behind_calls import BehindCalls
 from ecm_extract.link.folding.class_names import ClassNames
+from ecm_extract.link.folding.combining import combined
 from ecm_extract.link.folding.comprehended import Comprehended
 from ecm_extract.link.folding.data_classes import DataClasses
 from ecm_extract.link.folding.enums import EnumFolder
@@ -92,18 +92,12 @@ from ecm_extract.link.running.surely_made import SurelyMade
 from ecm_extract.link.running.unset_variables import UnsetVariables
 from ecm_extract.link.running.untold import Untold
 from ecm_extract.link.running.values import (
-    MAX_ALTERNATIVES,
     TOO_DEEP,
-    Hole,
     Value,
-    alternatives,
-    computed,
     constant,
-    data_in,
     joined,
     literal,
     unknown,
-    weaker,
 )
 
 MAX_NESTED = 60
@@ -307,12 +301,7 @@ class Folder:
         self, options: Sequence[tuple[Value, ...]], work: Callable[[list[Any]], Any], label: str
     ) -> tuple[Value, ...]:
         """Compute with each combination of known values; what is not known or not computed stays a pattern."""
-        found: list[Value] = []
-        for values in islice(product(*options), MAX_ALTERNATIVES + 1):
-            data = [data_in(value) for value in values]
-            result = None if UNKNOWN in data else computed(work(data))
-            found.append(_left_open(values, label) if result is None else _as_sure(result, values))
-        return alternatives(found) if len(found) > 1 else tuple(found) or (unknown(label),)
+        return combined(options, work, label)
 
     def shown(self, values: tuple[Value, ...], env: Env) -> tuple[Value, ...]:
         """Return values as texts: numbers and truth values as the language writes them."""
@@ -325,21 +314,6 @@ def _stated(expr: Text | Number | Constant) -> Value:
         return literal(expr.value)
     known = {"true": True, "false": False}
     return constant(expr.value if isinstance(expr, Number) else known.get(expr.name, NULL))
-
-
-def _left_open(values: Sequence[Value], label: str) -> Value:
-    """What is not computed: it still depends on the parameters that its parts depend on."""
-    holes = [part for value in values for part in value.parts if isinstance(part, Hole)]
-    open_ = tuple([hole._replace(default=None) for hole in holes if hole.kind in {"param", "made"}])
-    named = next((hole.label for hole in holes), label) if label == "value" else label
-    return Value(open_, "pattern") if open_ else unknown(named)
-
-
-def _as_sure(result: Value, values: Sequence[Value]) -> Value:
-    weakest = result.confidence
-    for value in values:
-        weakest = weaker(weakest, value.confidence)
-    return result._replace(confidence=weakest)
 
 
 def _shown(value: Value, python: bool) -> Value:

@@ -27,7 +27,9 @@ from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.fold_parameters import PARAMETER_OBJECTS, value_of_parameter
 from ecm_extract.link.folding.held_formats import with_format
 from ecm_extract.link.folding.instances import is_instance
-from ecm_extract.link.folding.of_templates import spelled
+from ecm_extract.link.folding.meant_names import called
+from ecm_extract.link.folding.names_of_nodes import resolved
+from ecm_extract.link.folding.path_parts import PATH_FUNCTIONS
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
 from ecm_extract.link.folding.popped import POP
 from ecm_extract.link.folding.text_functions import TEXT_FUNCTIONS
@@ -74,6 +76,7 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
         "abs": lambda data: abs(data[0]) if len(data) == 1 and is_number(data[0]) else UNKNOWN,
         "min": lambda data: min(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
         "max": lambda data: max(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
+        **PATH_FUNCTIONS,
     }
 )
 _CPP_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
@@ -94,7 +97,7 @@ class CallFolder:
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
         call, env = self.folder.spreading.known(invocation_of(expr, env), env)
-        meant = spelled(call.path, env, self.folder.objects) if call.receiver is None else call.path
+        meant = called(call.path, env, self.folder.objects) if call.receiver is None else call.path
         if not meant:
             return (parameter(call.path, made=True),)
         if meant != call.path:
@@ -108,7 +111,7 @@ class CallFolder:
         tidied = is_resolver(call.last) or gives_name(call.path)
         plainly = call.receiver is None and (call.path in _SAME or call.last in STREAMS)
         if tidied and call.args:
-            return self.folder.fold(call.args[0], env.before(env.at))
+            return resolved(call, env.before(env.at), self.folder)
         if plainly:
             return self._same(call, env.before(env.at))
         if call.last == "getCameraInfoTopic" and call.args:

@@ -13,6 +13,7 @@ from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
 
 from ecm_extract.infer.read_into import ReadInto
 from ecm_extract.link.code.expression_text import expression_text
+from ecm_extract.link.code.member_paths import below_variable
 from ecm_extract.link.code.own import is_own_member
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import by_value
@@ -20,7 +21,7 @@ from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import dotted, names_in
 from ecm_extract.link.folding.other_objects import OtherObjects, is_one_of_several
 from ecm_extract.link.running.env import Env, invocation_of
-from ecm_extract.link.running.values import MAX_ALTERNATIVES, Value, alternatives, demoted, unknown
+from ecm_extract.link.running.values import MAX_ALTERNATIVES, Value, alternatives, demoted, parameter, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -40,13 +41,23 @@ class FieldFolder:
         )
 
     def _value(self, expr: Member, env: Env) -> tuple[Value, ...]:
-        found = [*self._of_functions(expr, env), *self._of_class(expr, env)]
+        others = list(self._of_class(expr, env))
+        handed = self._by_caller(expr, env) if others else None
+        found = [*self._of_functions(expr, env), *others, *([handed] if handed is not None else ())]
         if any(value.confidence != "default" for value in found):
             found += self._set_later(expr, env)
-        filled = [value for value in found if value.text]
+        filled = [value for value in found if value.text or value is handed]
         if filled:
             filled += self._left_alone(expr, env)
         return alternatives(filled or found)[:MAX_ALTERNATIVES] if found else ()
+
+    def _by_caller(self, expr: Member, env: Env) -> Value | None:
+        """What only the caller knows of a field, in C++: that of an object that he hands over; None of others."""
+        root = below_variable(expr).root
+        if not isinstance(root, Name) or root.id not in env.func.given or env.func.file.language != "cpp":
+            return None
+        is_bound = self.folder.names.argument(root.id, env) is not None
+        return unknown(expr.name) if is_bound else parameter(root.id, env.func.is_constructor)
 
     def _of_functions(self, expr: Member, env: Env) -> Iterator[Value]:
         """What the function at hand writes, and functions that it hands the object to."""

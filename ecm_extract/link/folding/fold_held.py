@@ -129,8 +129,9 @@ class HeldFolder:
 
     def _part(self, held: Held, env: Env) -> tuple[Value, ...]:
         """A part of an element of a list of which not all is known: who knows the list knows it."""
-        values = self.folder.lists.open.element(held.expr, env)
-        return values if any(map(given_holes, values)) else (unknown(_label(held.name)),)
+        values = self.folder.lists.open.part(held.expr, held.more, env)
+        is_known = any(given_holes(value) or value.parameter for value in values)
+        return values if is_known else (unknown(_label(held.name)),)
 
     def _by_default(self, held: Held, env: Env) -> tuple[Value, ...]:
         """What a member holds that somebody sets through a parameter, as long as nobody does."""
@@ -189,7 +190,13 @@ class HeldFolder:
                 )
         values = self.folder.members.initial(name, env.this or cls, env)
         last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
-        return values or ((literal("")._replace(confidence="folded"),) if last in _TEXTS else ())
+        begun = last in _TEXTS and not self._is_static(name, cls)
+        return values or ((literal("")._replace(confidence="folded"),) if begun else ())
+
+    def _is_static(self, name: str, cls: Cls) -> bool:
+        """Tell whether a member is defined elsewhere, and was there before any object: no object begins it."""
+        owner = self.folder.scope.declaring(name, cls)
+        return owner is not None and "static" in owner.fields[name].traits
 
     def _is_of(self, name: str, base: Cls) -> bool:
         """Tell whether a base has a member, or gives it a value."""

@@ -28,7 +28,7 @@ from ecm_extract.link.folding.declared_members import only_source
 from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.made_lists import made_elements
 from ecm_extract.link.folding.open_lists import OpenLists
-from ecm_extract.link.folding.python_lists import LIST_CALLS, ORDERLESS, SPLITS, operated
+from ecm_extract.link.folding.python_lists import LIST_CALLS, OPERATED, ORDERLESS, SPLITS, operated
 from ecm_extract.link.folding.sorted_containers import in_their_order
 from ecm_extract.link.folding.subscripts import character_of, copied_range, part_of, slice_of, taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
@@ -101,7 +101,7 @@ class ListFolder:
             )
             if not any(value.confidence == "pattern" for value in text):
                 return text
-        rest = self.open.element(expr, env) if items is not None else self.open.taken(expr, data, env)
+        rest = self.open.element(expr, env) if items is not None else self.open.taken(expr, index, data, env)
         if isinstance(data, str) and env.func.file.language == "python":  # a list has no such index
             others = not isinstance(expr, Name | Member) or self.is_others(expr, env)
             return self.folder.tables.entry_of_any([] if others else self._ways(expr, env), index, env, rest)
@@ -172,7 +172,7 @@ class ListFolder:
         return found
 
     def _of_op(self, expr: Op, env: Env) -> list[Bound] | None:
-        if expr.op in {"+", "*"} and len(expr.operands) == 2:
+        if expr.op in OPERATED and len(expr.operands) == 2:
             return operated(self, expr, env)
         if expr.op == "?:":
             holds = self.folder.flow.truth(expr.operands[0], env)

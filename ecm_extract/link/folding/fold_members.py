@@ -16,12 +16,13 @@ from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.begun_fields import begun_field
 from ecm_extract.link.folding.changed_objects import may_be_another
+from ecm_extract.link.folding.chosen_objects import field_of_chosen
 from ecm_extract.link.folding.formats import VALUE_READS, read_as
 from ecm_extract.link.folding.handed_fields import handed_field
+from ecm_extract.link.folding.path_parts import part_of_path
 from ecm_extract.link.index.module_kinds import class_kind
 from ecm_extract.link.running.env import Env, Instance
 from ecm_extract.link.running.values import (
-    MAX_ALTERNATIVES,
     Value,
     alternatives,
     circular,
@@ -73,14 +74,14 @@ class MemberFolder:
                 return first
             cls = env.this or env.func.cls
             return (self.member_value(expr.name, cls, env) if cls is not None else ()) or (unknown(expr.name),)
-        if handed := handed_field(expr, env, self.folder):
+        if handed := handed_field(expr, env, self.folder) or part_of_path(expr, env, self.folder):
             return handed
         pointed = self.folder.searches.part(expr, env)
         if pointed is not None:
             return demoted(self.folder.lists.fold(pointed, env))
         if listed := self.folder.data_classes.of_field(expr, env):
             return listed
-        part = self.folder.structures.field(expr, env) or begun_field(expr, env, self.folder)
+        part = self._of_object(expr, env) or begun_field(expr, env, self.folder)
         if not part and expr.name in VALUE_READS:
             return read_as(expr.name, self.folder.fold(expr.base, env.before(env.at)))
         dotted = dotted_name(expr)
@@ -92,6 +93,10 @@ class MemberFolder:
             return alternatives((*known, unknown(expr.name)))
         known = known or self.folder.module_objects.member(expr, env)
         return known or self._of_given(expr, env) or self._of_message(expr, env) or self.folder.names.unseen(expr, env)
+
+    def _of_object(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """A field of an object of which it is known what, or which of several, it is made from."""
+        return field_of_chosen(expr, env, self.folder) or self.folder.structures.field(expr, env)
 
     def _run_by_reading(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """What Python makes when an attribute is read, of the class or of the object."""
@@ -263,8 +268,7 @@ class MemberFolder:
 
         Of a class whose objects are not known to be of no derived one, what derived classes do counts too.
         """
-        found = [(held, place) for run, place in self.ends(name, cls, env) for held in self._left(run, name)]
-        return found[: MAX_ALTERNATIVES + 1]
+        return [(held, place) for run, place in self.ends(name, cls, env) for held in self._left(run, name)]
 
     def ends(self, name: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
         """Yield the run of each method that may change a data member, with its place; None for one that is run now."""

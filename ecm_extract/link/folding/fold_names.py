@@ -15,7 +15,7 @@ from ecm_extract.link.code.calls import invocations
 from ecm_extract.link.code.member_paths import below_variable
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
-from ecm_extract.link.folding.of_templates import spelled
+from ecm_extract.link.folding.meant_names import spelled
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.module_variables import ModuleVariables
 from ecm_extract.link.running.shared_variables import SharedVariables

@@ -104,4 +104,8 @@ class TextFolder:
 def _is_above(call: Invocation) -> bool:
     """`text.substr(0, text.rfind("/"))`: what is above the last part of a name."""
     end = call.args[1] if call.last == "substr" and len(call.args) == 2 else None
-    return isinstance(end, Call) and getattr(end.callee, "name", "") in _LAST_SLASH and Text("/") in end.args
+    return (
+        isinstance(end, Call)
+        and getattr(end.callee, "name", "") in _LAST_SLASH
+        and any(isinstance(arg, Text) and arg.value == "/" for arg in end.args)
+    )

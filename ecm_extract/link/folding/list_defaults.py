@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
+from ecm_extract.link.folding.list_columns import column
 from ecm_extract.link.folding.subscripts import part_of
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, lowered, set_by
@@ -45,8 +46,20 @@ class ListDefaults:
 
     def elements(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the elements of the default of the parameter that a list is; none where not all are known."""
-        default = self._default(expr, env)
+        found = column(expr, ()) if expr is not None and env.func.file.language == "python" else None
+        default = self._default(found.listed if found is not None else expr, env)
         return self._told(default, self._folded(default, env)) if default is not None else ()
+
+    def part(self, expr: Expr | None, place: Sequence[int], env: Env) -> tuple[Value, ...]:
+        """Return what a part of each element is by default: `b` in `for a, b in zip(ids, names)`.
+
+        Parts of several elements belong to parts beside them, so each is one of all.
+        """
+        found = column(expr, place) if expr is not None and env.func.file.language == "python" else None
+        if found is None or found.place:
+            return ()
+        values = self.elements(found.listed, env)
+        return values if len(values) < 2 else lowered(values, "one_of")
 
     def element(self, expr: Expr | None, env: Env, at: object) -> tuple[Value, ...]:
         """Return what the element at an index is by default; none of a table, nor at an index that is not known."""

@@ -23,24 +23,39 @@ if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
 _NAMES: Final = frozenset({"ros::this_node::getName", "rospy.get_name"})
-_NAMESPACES: Final = frozenset({"ros::this_node::getNamespace", "rospy.get_namespace"})
+_NAMESPACES: Final = frozenset({"ros::this_node::getNamespace"})
+_CLOSED_NAMESPACES: Final = frozenset({"rospy.get_namespace"})
+"""What ends them with a slash (rosgraph/names.py)."""
 _OWN_NAMES: Final = frozenset({"get_name", "get_fully_qualified_name"})
 _WITH_SUB_NODES: Final = "get_effective_namespace"
 _OF_NODELETS: Final = "getName"
 _NAMESPACE_OF_HANDLE: Final = "getNamespace"
+_RESOLVED_BY_HANDLE: Final = "resolveName"
+
+
+def resolved(call: Invocation, env: Env, folder: Folder) -> tuple[Value, ...]:
+    """Return a name as it is passed; `nh.resolveName(name)` gives it below the handle, whatever other one gets it."""
+    values = folder.fold(call.args[0], env)
+    of_handle = call.receiver is not None and call.last == _RESOLVED_BY_HANDLE
+    space = namespace_of(call.receiver, env, folder) if of_handle and call.receiver is not None else None
+    if space is None or any(value.text.startswith(("/", "~")) for value in values):
+        return values
+    return joined([(space,), (literal("/"),), values])
 
 
 def told_by_node(call: Invocation, env: Env, folder: Folder) -> Value | None:
     """Return what a call of no function of the tree gives that a node answers; None where no node does."""
-    named = library_function(call, _NAMES | _NAMESPACES, env.scope, folder.program)
+    named = library_function(call, _NAMES | _NAMESPACES | _CLOSED_NAMESPACES, env.scope, folder.program)
     if named in _NAMES or (call.last in _OWN_NAMES and _may_be_node(call.receiver, env, folder)):
         return node_name()
+    if named in _CLOSED_NAMESPACES:
+        return joined([(node_namespace(),), (literal("/"),)])[0]
     if named in _NAMESPACES or (call.last == "get_namespace" and _may_be_node(call.receiver, env, folder)):
         return node_namespace()
     if call.last == _WITH_SUB_NODES and _may_be_node(call.receiver, env, folder):
         return _effective_namespace(call.receiver, env, folder)
     if call.last == _NAMESPACE_OF_HANDLE and call.receiver is not None:
-        return _namespace_of(call.receiver, env, folder)
+        return namespace_of(call.receiver, env, folder)
     own = env.this or env.func.cls
     is_nodelet = own is not None and is_own(call.receiver) and class_kind(own, folder.program) == "nodelet"
     return node_name() if call.last == _OF_NODELETS and is_nodelet else None
@@ -54,8 +69,8 @@ def _effective_namespace(node: Expr | None, env: Env, folder: Folder) -> Value |
     return joined([(node_namespace(),), (literal("/"),), (below,)])[0]
 
 
-def _namespace_of(handle: Expr, env: Env, folder: Folder) -> Value | None:
-    """The namespace of a handle of roscpp, with what it puts before names: that of a private one is the node's name."""
+def namespace_of(handle: Expr, env: Env, folder: Folder) -> Value | None:
+    """Return the namespace of a handle of roscpp, with what it puts before names: of a private one the node's name."""
     prefix = folder.prefixes(handle, env)
     if prefix is None or prefix.text.startswith("/"):
         return prefix

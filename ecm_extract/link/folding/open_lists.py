@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op
 
 from ecm_extract.link.code.walk import children
+from ecm_extract.link.folding.list_columns import indexed, place_of
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.values import Hole, Value, given_holes, lowered, parameter, set_by, unknown
 
@@ -40,6 +41,11 @@ class OpenLists:
         set_by_launch = tuple([value for name in names for value in set_by(name, (item,))])
         return set_by_launch or (self._left_open(expr, env) or item,)
 
+    def part(self, expr: Expr | None, place: Expr | None, env: Env) -> tuple[Value, ...]:
+        """Return what a part of each element of such a list is, `place` as `Held.more` has it."""
+        at = place_of(place)
+        return (self.folder.list_defaults.part(expr, at, env) if at is not None else ()) or self.element(expr, env)
+
     def _first_counted(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """The first number of `range(count)` that parameters have by default: others follow as these are set."""
         if not isinstance(expr, Call) or expr.callee != Name("range") or expr.keywords:
@@ -52,9 +58,16 @@ class OpenLists:
         counted = range(*numbers)
         return lowered(self.folder.fold(Number(counted[0]), env), "default") if counted else ()
 
-    def taken(self, expr: Expr | None, at: object, env: Env) -> tuple[Value, ...]:
+    def taken(self, expr: Expr | None, index: Expr, at: object, env: Env) -> tuple[Value, ...]:
         """Return what the element at an index is: that of a parameter's default, as long as nobody sets it."""
-        return self.folder.list_defaults.element(expr, env, at) or self.element(expr, env)
+        chosen = self.folder.list_defaults.element(expr, env, at)
+        return chosen or self.element(expr, env, whole=self._is_of_each(index, expr, env))
+
+    def _is_of_each(self, index: Expr, listed: Expr | None, env: Env) -> bool:
+        """Whether an index is that of each element: `i` of `for i in range(len(names))`."""
+        ways = self.folder.flow.ways(index, env) if isinstance(index, Name) else ()
+        counted = [indexed(held.expr) if held.how == "each" else None for way in ways for held in way]
+        return bool(counted) and listed is not None and all(each == listed for each in counted)
 
     def _redefined(self, expr: Expr | None, env: Env) -> str:
         """The method that gives the list, or the table of `table.items()`, where derived classes may have their own."""

@@ -13,6 +13,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, N
 from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.folding.python_sets import SET_METHODS, SET_OPERATORS, set_by_method, set_by_operator, set_of
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import data_in, is_proved
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 SPLITS = frozenset({"split", "rsplit", "partition", "rpartition"})
 """Methods of texts that give a list of its parts."""
+OPERATED: Final = SET_OPERATORS | {"+", "*"}
 _ELEMENT: Final = "#element"
 """Stands for an element where a function is called with each; no variable has such a name."""
 MAX_ITEMS = 256
@@ -39,7 +41,9 @@ def _row(*parts: Bound) -> Bound:
 
 
 def operated(lists: ListFolder, expr: Op, env: Env) -> list[Bound] | None:
-    """Return the elements of `a + b`, and of Python of `[x] * 3`; None when not all are known."""
+    """Return the elements of `a + b`, and of Python of `[x] * 3` and of `a | b`; None when not all are known."""
+    if expr.op in SET_OPERATORS:
+        return set_by_operator(lists, expr, env) if env.func.file.language == "python" else None
     parts = [lists.items(operand, env) for operand in expr.operands]
     if expr.op == "+":
         return [*parts[0], *parts[1]] if parts[0] is not None and parts[1] is not None else None
@@ -66,12 +70,6 @@ def _copied(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None
     if not call.args:
         return []
     return lists.items(call.args[0], env) if len(call.args) == 1 and not call.keywords else None
-
-
-def _set(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    """Elements in no order, which is nothing to tell where it matters."""
-    found = _copied(lists, call, env)
-    return found if found is None or len(found) < 2 or lists.any_order else None
 
 
 def _sorted(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
@@ -209,8 +207,9 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "range": _range,
         "list": _copied,
         "tuple": _copied,
-        "set": _set,
-        "frozenset": _set,
+        "set": set_of,
+        "frozenset": set_of,
+        **dict.fromkeys(SET_METHODS, set_by_method),
         "copy": lambda lists, call, env: lists.items(call.receiver, env) if not call.args else None,
         "map": _mapped,
         "sorted": _sorted,
@@ -231,5 +230,5 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
     }
 )
 """Calls of Python that give lists, as functions or as methods."""
-ORDERLESS: Final = frozenset({"set", "frozenset", "list", "tuple", "copy", "map", "sorted"})
+ORDERLESS: Final = SET_METHODS | {"set", "frozenset", "list", "tuple", "copy", "map", "sorted"}
 """Those that ask no more of the order of what they get than who asks them."""

@@ -11,7 +11,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.kinds import Kind
 from ecm_extract.infer.raising import may_raise, raises_itself
-from ecm_extract.infer.raising_calls import UNPACKED, Operation, operation, unpacks
+from ecm_extract.infer.raising_calls import UNPACKED, Operation, unpacks
 from ecm_extract.infer.routes import Raising
 from ecm_extract.infer.run import Raised, Run
 from ecm_extract.link.code.calls import Invocation
@@ -103,7 +103,7 @@ class Raises:
     def _itself(self, expr: Expr, env: Env) -> Found:
         """What an expression does apart from its parts."""
         language = env.func.file.language
-        known = operation(expr, language)
+        known = self.folder.flow.exceptions.operation(expr, env.func)
         found = self._checked(known, expr, env) if known is not None else _OPEN
         if found.raises is None and isinstance(expr, Call):
             found = self._called(expr, env)

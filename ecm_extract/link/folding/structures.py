@@ -133,17 +133,17 @@ class StructureFolder:
     def handed(self, expr: Member, env: Env) -> Bound | None:
         """Return the field of the object that is handed on, or copied, and that nobody may have changed since."""
         copied = self.copied(expr.base, env) if not lies_deep(expr) else None
-        if copied is None or self._is_touched(copied.expr, copied.env) or self._is_reached_into(expr, env):
+        if copied is None or self.is_touched(copied.expr, copied.env) or self._is_reached_into(expr, env):
             return None
         place = place_now(copied, env, self.folder.flow)
         return Bound(Member(copied.expr, expr.name), place) if place is not None else None
 
-    def _is_touched(self, expr: Expr, env: Env) -> bool:
+    def is_touched(self, expr: Expr, env: Env) -> bool:
         """Tell whether somebody whose body is not seen, or who is not followed, may have changed an object."""
         if not isinstance(expr, Name | Member):
             return False
         touched = any(held.how not in _FOLLOWED for held in self._helds(expr, env))
-        return touched or (isinstance(expr, Member) and self._is_touched(expr.base, env))
+        return touched or (isinstance(expr, Member) and self.is_touched(expr.base, env))
 
     def _is_reached_into(self, expr: Member, env: Env) -> bool:
         """Tell whether a member of the object at hand may be changed by those who have the object."""

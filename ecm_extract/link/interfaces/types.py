@@ -13,7 +13,7 @@ from ecm_extract.link.code.calls import Invocation, placed_arguments, unseen_arg
 from ecm_extract.link.code.spelling import plain, pointee, template_arguments
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.folding.of_templates import spelled
+from ecm_extract.link.folding.meant_names import spelled
 from ecm_extract.link.interfaces.adapters import Adapters
 from ecm_extract.link.interfaces.python_types import PythonTypes
 from ecm_extract.link.interfaces.sent_as import sent_as
@@ -62,9 +62,7 @@ class Types:
         if kind == "template":
             return self.written(call.types[int(index)], env, role) if int(index) < len(call.types) else UNKNOWN_TYPE
         if kind == "receiver":
-            types = (
-                template_arguments(pointee(self.folder.objects.type_of(call.receiver, env))) if call.receiver else ()
-            )
+            types = self._arguments(self.folder.objects.type_of(call.receiver, env), env) if call.receiver else ()
             return self.written(types[int(index)], env, role) if int(index) < len(types) else UNKNOWN_TYPE
         arg = dict(call.keywords).get(index) if kind == "kw" else _argument(call, int(index))
         if arg is None:
@@ -75,6 +73,16 @@ class Types:
             held = self.folder.objects.type_of(arg, env)
             return self.written(_REQUEST.sub(r"\1", held) if kind == "request" else held, env, role)
         return self.expression(arg, env, role)
+
+    def _arguments(self, text: str, env: Env) -> Sequence[str]:
+        """The template arguments of a type, or of what it is another name for."""
+        held = pointee(text)
+        for _ in range(MAX_DEPTH):
+            alias = self.program.alias(_bare(held), env.func.file, self._scope(env)) if "<" not in held else None
+            if alias is None:
+                break
+            held = pointee(alias)
+        return template_arguments(held)
 
     def expression(self, expr: Expr, env: Env, role: Role) -> TypeFound:
         """Return the type that an expression names: a Python class, or text `pkg/Name`."""
@@ -253,8 +261,8 @@ class Types:
             params = [p for p in func.fact.params if p.type]
             if params:
                 inner = Env(func, types=env.types, this=env.this, made=env.made)
-                written = _REQUEST.sub(r"\1", params[0].type) if service else params[0].type
-                return self.written(written, inner, role)
+                first = params[0].type.removesuffix("...")  # of a pack it is the first
+                return self.written(_REQUEST.sub(r"\1", first) if service else first, inner, role)
         made = {self._callback(each.expr, each.env, role, service) for each in self._held(name, env)}
         if made:
             return made.pop() if len(made) == 1 else UNKNOWN_TYPE

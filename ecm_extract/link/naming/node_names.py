@@ -160,8 +160,16 @@ class NodeNames:
         return None
 
     def _derives_outside(self, cls: Cls) -> bool:
+        return self._is_directly_outside(cls) or any(map(self._hands_on, self.folder.program.bases(cls)))
+
+    def _is_directly_outside(self, cls: Cls) -> bool:
         program = self.folder.program
         return any(is_node_base(program.canonical(base, cls.file, cls.qualified)) for base in cls.fact.bases)
+
+    def _hands_on(self, cls: Cls) -> bool:
+        """Tell whether a class of C++ has the constructors of a node base for its own: `using rclcpp::Node::Node;`."""
+        lineage = self.folder.program.ancestry(cls) if cls.file.language == "cpp" else ()
+        return any(map(self._is_directly_outside, lineage)) and not any(each.constructors for each in lineage)
 
     def _passed(self, func: Func, env: Env) -> NodeName | None:
         for at, statement in enumerate(func.fact.body):
@@ -173,7 +181,7 @@ class NodeNames:
     def _base_arguments(self, statement: Statement, env: Env) -> tuple[Given | None, Env]:
         """What a constructor hands to a node base, initialiser or `super().__init__`, with its place."""
         value, target = statement.value, statement.target
-        if statement.kind == "init" and isinstance(target, Name) and is_node_base(plain(target.id)):
+        if statement.kind == "init" and isinstance(target, Name) and self._is_base(plain(target.id), env):
             args = value.args if isinstance(value, Call) and value.callee == target else (value,)
             given = [arg for arg in args if arg is not None]
             return (Given(given[0], given[1] if len(given) > 1 else None, given[1:]) if given else None), env
@@ -184,6 +192,12 @@ class NodeNames:
             space = next(positions(NODE_SPACE, own), None)
             return (Given(name, space, (), own.keywords) if name is not None else None), place
         return None, env
+
+    def _is_base(self, written: str, env: Env) -> bool:
+        if is_node_base(written):
+            return True
+        cls = self.folder.objects.class_written(written, env)
+        return cls is not None and self._hands_on(cls)
 
     def _named(self, given: Given, env: Env, at: Evidence) -> NodeName | None:
         settings = self.settings.of(given.args, given.keywords, env) if given.args or given.keywords else None
@@ -212,12 +226,20 @@ class NodeNames:
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites.makes(call, cls) and call.func.cls is not cls:
                 constructor = self.folder.objects.constructor(cls, call)
+                if constructor is None and call.args and self._hands_on(cls):
+                    found += [] if self.sites.is_base_of(call, cls) else [self._given_to_base(call)]
+                    continue
                 if constructor is None:
                     return ()
                 given = bind(constructor, call, self.sites.root_env(call.func, call.at))
                 name = self._passed_on(self.folder.objects.delegated(Instance(cls, given, {}, constructor)))
                 found.append(replace(name, at=_place(call)) if name is not None else None)
         return found
+
+    def _given_to_base(self, call: Invocation) -> NodeName | None:
+        """The name that a call gives the node base whose constructors it uses."""
+        given = Given(call.args[0], next(iter(call.args[1:]), None), call.args[1:])
+        return self._named(given, self.sites.root_env(call.func, call.at), _place(call))
 
     def of_program(self, main: Func) -> NodeName | None:
         """Return the name that a program gives its node, by a call in the file of its main function."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Set
 
-from ecm_parsers.source.expr import Call, Constant, Name
+from ecm_parsers.source.expr import Call, Constant, Expr, Name
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Attempt, Block, Branch, Later, Leave, Step, blocks
 
 from ecm_extract.infer.kinds import Kind
-from ecm_extract.infer.raising_calls import has_operation, operation, unpacks
+from ecm_extract.infer.raising_calls import Operation, has_operation, operation, unpacks
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import dotted, last_of
 from ecm_extract.link.index.program import Program
@@ -45,13 +45,22 @@ class Exceptions:
 
     def always(self, func: Func) -> bool:
         """Tell whether no way through a function leads out of it but by an exception."""
-        return _raises_in(_flow(func), func, self._names_of_always())
+        return self._raises(func, self._names_of_always())
+
+    def operation(self, expr: Expr, func: Func) -> Operation | None:
+        """Return what an expression does that raises under a condition; None for others, and functions of the tree."""
+        known = operation(expr, func.file.language)
+        if known is None or not isinstance(expr, Call) or func.file.language != "cpp":
+            return known
+        return None if isinstance(expr.callee, Name) and expr.callee.id in self.program.functions else known
 
     def calls_what_raises(self, func: Func, at: int) -> bool:
         """Tell whether a statement does nothing but call a function outside of classes that raises whatever happens."""
         value = func.fact.body[at].value
         if not isinstance(value, Call):
             return False
+        if func.file.language == "cpp" and self._is_always(value, func):
+            return True
         meant = self.program.functions_named(dotted(value.callee) or "", func.file, func.scope)
         bodies = [each for each in meant if each.fact.body or each.fact.flow]
         return bool(bodies) and all(self.always(each) and not _waits(each) for each in bodies)
@@ -112,7 +121,15 @@ class Exceptions:
 
     def _all_raise(self, group: list[Func], found: Set[str]) -> bool:
         bodies = [func for func in group if func.fact.body or func.fact.flow]
-        return bool(bodies) and all(_raises_in(_flow(func), func, found) for func in bodies)
+        return bool(bodies) and all(self._raises(func, found) for func in bodies)
+
+    def _raises(self, func: Func, names: Set[str]) -> bool:
+        """Whether a function surely raises, also by a call of some functions."""
+        return _raises_in(_flow(func), func, lambda call: last_of(call.callee) in names or self._is_always(call, func))
+
+    def _is_always(self, call: Call, func: Func) -> bool:
+        known = self.operation(call, func)
+        return known is not None and known.when == "always"
 
 
 def _grown(first: Set[str], more: Callable[[Set[str]], Set[str]]) -> Set[str]:
@@ -125,16 +142,16 @@ def _grown(first: Set[str], more: Callable[[Set[str]], Set[str]]) -> Set[str]:
         found = grown
 
 
-def _raises_in(block: Block, func: Func, names: Set[str]) -> bool:
+def _raises_in(block: Block, func: Func, raises: Callable[[Call], bool]) -> bool:
     """Whether steps surely raise, by themselves or by a call of some functions, before they may leave otherwise."""
     for step in block:
         if isinstance(step, Leave):
             return step.how == "throw"
-        if isinstance(step, Branch) and all(_raises_in(side, func, names) for side in (step.then, step.other)):
+        if isinstance(step, Branch) and all(_raises_in(side, func, raises) for side in (step.then, step.other)):
             return True
         if isinstance(step, Attempt) or _may_leave(step, func):
             return False
-        if isinstance(step, int) and any(_raises_always(call, func, names) for call in func.calls[step]):
+        if isinstance(step, int) and any(map(raises, func.calls[step])):
             return True
     return False
 
@@ -143,11 +160,6 @@ def _waits(func: Func) -> bool:
     """Whether a call of a function does not run its body, or runs others around it."""
     decorated = bool(func.fact.decorators) and func.file.language == "python"
     return decorated or not {"generator", "coroutine"}.isdisjoint(func.fact.traits)
-
-
-def _raises_always(call: Call, func: Func, names: Set[str]) -> bool:
-    known = operation(call, func.file.language)
-    return last_of(call.callee) in names or (known is not None and known.when == "always")
 
 
 def _may_leave(step: Step, func: Func) -> bool:

@@ -42,8 +42,6 @@ _ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
 _TYPED_CALLS = shipped_names("link/code/library_values.toml", "typed_calls")
 _BUILT_IN = frozenset({"bool", "float", "int", "str"})
 """Classes of Python for values of parameters."""
-MAX_DELEGATIONS = 4
-"""Constructors that leave the work to another one, each to the next."""
 
 
 class Objects:
@@ -255,9 +253,9 @@ class Objects:
 
     def delegated(self, made: Instance) -> Instance:
         """Return how an object is made by the constructor to which its own one leaves that."""
-        for _ in range(MAX_DELEGATIONS):
-            if made.maker is None:
-                break
+        seen: set[Func] = set()
+        while made.maker is not None and made.maker not in seen:
+            seen.add(made.maker)
             env = Env(made.maker, args=made.args, this=made.cls, made=made)
             call = base_call(made.maker, made.cls)
             target = self.constructor(made.cls, call) if call is not None else None

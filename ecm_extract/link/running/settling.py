@@ -6,6 +6,7 @@ from functools import partial
 
 from ecm_extract.link.code.units import File
 from ecm_extract.link.index.contexts import settle_contexts
+from ecm_extract.link.index.implied_ends import settle_implied_ends
 from ecm_extract.link.index.implied_makers import settle_implied_makers
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.index.wrapped import settle_wrapped
@@ -23,6 +24,7 @@ def settle(program: Program) -> None:
         file.returned = partial(_returned, program, file)
     settle_casts(program)
     settle_implied_makers(program)
+    settle_implied_ends(program)
     settle_members_of_bases(program)
     settle_bound_methods(Objects(program, Scope(program)))
     settle_contexts(program)

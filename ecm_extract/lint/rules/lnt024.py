@@ -36,14 +36,14 @@ _SENDERS = frozenset({"publish", "sendTransform", "send_transform"})
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report local messages of C++ that nothing but plain assignments to other fields has touched.
+    """Report local messages of C++ that nothing but plain assignments to other fields has touched, in what is built.
 
     Where the receivers are known not to look at the header it is an info.
     """
     own, publishers = frozenset(workspace.versions), Publishers(workspace)
     for functions in workspace.linker.program.functions.values():
         for func in functions:
-            if func.file.language == "cpp" and func.file.package in workspace.by_name:
+            if func.file.language == "cpp" and func.file.is_built and func.file.package in workspace.by_name:
                 yield from _of(func, own, publishers)
 
 

@@ -17,6 +17,7 @@ RULE = LintRule(
     who="source",
     consequence="every package that depends on it fails to configure or to link",
     resolution="make name, target and install(TARGETS ...) agree",
+    tier="stable",
 )
 _KIND = "library"
 

@@ -246,6 +246,7 @@ class BodyReader:
         inner.expr.brought = Brought(self.expr.brought)
         given = lambda_parameters(self.expr, node)
         inner.expr.brought.hide(parameter.name for parameter in given)
+        inner.writer.declared.update(parameter.name for parameter in given)
         if body is not None:
             inner.read(body)
         self.local_names += inner.local_names

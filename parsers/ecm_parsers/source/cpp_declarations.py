@@ -189,11 +189,12 @@ class DeclarationReader:
         for child in node.named_children:
             if child.type == "field_initializer_list":
                 read.initializers(child)
+        params = parameters(self.expr, declarator.child_by_field_name("parameters"))
+        read.writer.declared.update(each.name for each in params)
         if body is not None:
             read.read(body)
         for local in read.local_names:
             self._local_name(local.node, Place(f"{local.scope}()"))
-        params = parameters(self.expr, declarator.child_by_field_name("parameters"))
         traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
         specializes = specialized(self.expr, named) if place.written == () else None
         returns = self.expr.type_text(kind) if kind is not None else ""

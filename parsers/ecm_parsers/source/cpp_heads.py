@@ -5,6 +5,7 @@ Source: [basic.scope.block] of the C++ standard.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING
 
@@ -20,13 +21,20 @@ _BEFORE |= {"switch_statement": "condition", "for_range_loop": "declarator"}
 
 
 def hides(reader: ExprReader, statement: Node, before: Set[str]) -> bool:
-    """Tell whether a statement gives a variable the name of one of those that were declared before it."""
+    """Tell whether a statement gives a variable the name of one that was declared before it, or is named behind it."""
     field = _BEFORE.get(statement.type)
     header = statement.child_by_field_name(field) if field is not None else None
     if header is None:
         return False
     names = {declared_name(reader, header)} if statement.type == "for_range_loop" else set(_declared(reader, header))
-    return not names.isdisjoint(before)
+    return not names.isdisjoint(before) or any(_is_named_behind(reader, statement, name) for name in names if name)
+
+
+def _is_named_behind(reader: ExprReader, statement: Node, name: str) -> bool:
+    """Whether the block around a statement names behind it what is another variable there: a member, a constant."""
+    around = statement.parent
+    rest = reader.data[statement.end_byte : around.end_byte] if around is not None else b""
+    return re.search(rb"\b" + re.escape(name.encode()) + rb"\b", rest) is not None
 
 
 def macro_test(reader: ExprReader, node: Node, named: Node | None) -> Expr:

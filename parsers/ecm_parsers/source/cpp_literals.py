@@ -35,7 +35,7 @@ _DIGITS = re.compile(r"^-?[\d'.]+(?:[eE][+-]?\d+)?")
 
 def string(reader: ExprReader, node: Node) -> Expr:
     """A string or character, unescaped."""
-    return Text(_string_value(reader, node))
+    return Text(_string_value(reader, node), node.type == "char_literal")
 
 
 def _string_value(reader: ExprReader, node: Node) -> str:

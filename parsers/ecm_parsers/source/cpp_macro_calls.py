@@ -94,14 +94,16 @@ def with_macro_calls(data: bytes, brought: Sequence[Replacement] = ()) -> Expand
     known = [*brought, *[each for each in map(replacement, written) if each is not None]]
     calling = {each.name for each in known if is_calling(each)}
     if not calling:
-        return Expanded(data, exported(_held_at_end(data)), any(map(is_cut_off, written)))
+        told = () if brought else exported(_held_at_end(data))
+        return Expanded(data, told, any(map(is_cut_off, written)))
     calling = leading(calling, known)
     around = {each.name for each in known if each.params is not None}
     definitions = Definitions(brought)
     putting = _Put(definitions, calling, around)
     put = putting.into(data)
     is_cut = putting.is_cut or any(map(is_cut_off, written))
-    return Expanded(put, exported(definitions), is_cut, tuple(sorted(putting.undecided, key=order)))
+    told = () if brought else exported(definitions)  # nobody asks it of a file that is read again
+    return Expanded(put, told, is_cut, tuple(sorted(putting.undecided, key=order)))
 
 
 def _held_at_end(data: bytes) -> Definitions:

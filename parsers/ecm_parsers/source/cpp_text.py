@@ -28,6 +28,15 @@ _NO_POINTER = re.compile(rb"(?<=::type)\s*\*\s*=\s*nullptr(?=\s*[,>])")
 _LABEL_NOTE = re.compile(rb"(?<=\w)\s*\[\[[^\[\]]*\]\](?=\s*[=,}])")
 _ADJACENT = re.compile(rb"(?<=[(,])(\s*[A-Z][A-Z0-9]*_[A-Z0-9_]*)[ \t]([A-Z][A-Z0-9]*_[A-Z0-9_]*)(?=\s*[,)])")
 """Two macros for texts side by side: the compiler joins them."""
+_BESIDE = re.compile(
+    rb"//[^\n]*|/\*.*?\*/|'(?:[^'\\\n]|\\.)+'|R\"(?P<mark>[^()\\\s\"]{0,16})\(.*?\)(?P=mark)\""
+    rb"|(?P<text>\"(?:[^\"\\\n]|\\.)*\")(?P<before>[ \t]+)(?=[A-Za-z_]\w*\()"
+    rb"|\"(?:[^\"\\\n]|\\.)*\""
+    rb"|\b(?!(?:if|while|for|switch)\b)(?P<call>[A-Za-z_]\w*\((?:[^()\"';{}]|\([^()\"';{}]*\))*\))"
+    rb"(?P<behind>[ \t]+)(?=\")",
+    re.DOTALL,
+)
+"""A call of a macro beside a text, which the compiler joins: `NAME(x) "/raw"`."""
 BRACES = b"$$"
 """Stands for `{}` where the grammar knows no braces; no code has such a name."""
 _EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")
@@ -57,13 +66,20 @@ def _blank(match: re.Match[bytes]) -> bytes:
     return blanked(match.group())
 
 
+def _added(match: re.Match[bytes]) -> bytes:
+    """What stands side by side with a `+` between."""
+    first, gap = (match["text"], match["before"]) if match["text"] else (match["call"], match["behind"])
+    return first + gap[:-1] + b"+" if first else match.group()
+
+
 def without_macros(data: bytes) -> bytes:
     """Return `data` with export words, macro-only lines and odd `typename`s blanked, length unchanged."""
     kept = _DEFINE_LINE.sub(lambda match: _COMMENT.sub(_blank, match.group()), data)
     kept = _outside_directives(kept, lambda text: _EXPORT_WORD.sub(_blank, text))
     kept = _outside_directives(kept, lambda text: _MARK.sub(_blank, _MACRO_LINE.sub(_blank, text)))
     kept = _CLASS_WORD.sub(lambda match: match[1] + b" " * len(match[2]), kept)
-    kept = _ADJACENT.sub(rb"\1+\2", _TYPENAME.sub(_blank, kept))
+    kept = _BESIDE.sub(_added, _ADJACENT.sub(rb"\1+\2", kept))
+    kept = _TYPENAME.sub(_blank, kept)
     kept = _LABEL_NOTE.sub(_blank, _NO_POINTER.sub(lambda match: b"=" + BRACES.rjust(len(match.group()) - 1), kept))
     return _EMPTY_BRACES.sub(lambda match: b"=" + BRACES.rjust(len(match.group()) - 1), kept)
 

@@ -19,9 +19,10 @@ class _Node(msgspec.Struct, frozen=True, array_like=True, tag=True, gc=False):
 
 
 class Text(_Node, frozen=True):
-    """A string literal, unescaped."""
+    """A string literal, unescaped; in C++ also one character, whose type is another."""
 
     value: str
+    is_character: bool = False
 
 
 class Number(_Node, frozen=True):
