@@ -317,10 +317,8 @@ class Sites:
                 for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
                     known = site.certain and certain and sure
                     each = replace(site, certain=known, sole=site.sole and sure, exact=exact)
-                    yield self._made_at(each, cls, call, at, outer)
-
-    def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int, outer: Env) -> Site:
-        return self._widened(site, call, outer, self._in_made(Env(site.root, at), cls, call, outer))
+                    inner = self._in_made(Env(site.root, at), cls, call, outer)
+                    yield self._widened(each, call, outer, inner)
 
     def _in_made(self, place: Env, cls: Cls, call: Invocation, outer: Env) -> Env:
         """A statement of a method, of an object that a call makes."""

@@ -28,7 +28,7 @@ class Overridden:
     def hides(self, site: Site, module: Module) -> bool:
         """Tell whether no object that a module makes runs the methods by which a site is reached."""
         cls = self.sites.folder.nesting.object_of(site.root)
-        if cls is None or cls.file.language != "python" or module.kind == "library":
+        if cls is None or cls.file.language != "python" or (module.main is None and module.cls is None):
             return False
         methods = [each for each in self._by_name(site) if self._may_be_hidden(each)]
         made = self._made_by(module, cls) if methods else ()
