@@ -23,7 +23,7 @@ _PROGRAMS: Final = frozenset({"programs", "python"})
 def of_programs(facts: PackageFacts) -> frozenset[str]:
     """Return the headers of classes whose methods stand in sources that programs are built of, and no library.
 
-    Where a package of ROS 2 builds nothing but programs and exports nothing, those are all its headers.
+    Where a package of ROS 2 builds nothing but programs, exports nothing and installs none, those are all its headers.
     """
     if _is_closed(facts):
         return frozenset(path for path in facts.sources if is_included(path))
@@ -58,8 +58,13 @@ def _is_closed(facts: PackageFacts) -> bool:
     kinds = {target.kind for target in _targets(facts) if not target.is_test}
     names = {command.name for file in facts.cmake.values() for command in file.commands}
     known = not any(file.unknown or file.foreign for file in facts.cmake.values())
-    told = any(name.startswith(_EXPORTS) for name in names - {"ament_export_dependencies"})
+    told = any(name.startswith(_EXPORTS) for name in names - {"ament_export_dependencies"}) or _installs_headers(facts)
     return facts.ros == _ROS_2 and kinds == {"executable"} and known and not told
+
+
+def _installs_headers(facts: PackageFacts) -> bool:
+    installs = (install for file in facts.cmake.values() for install in file.installs)
+    return any("include" in install.destination.lower() for install in installs)
 
 
 def _is_any_in_libraries(facts: PackageFacts) -> bool:

@@ -17,7 +17,7 @@ INSTALLS = "install(DIRECTORY include/ DESTINATION include)\n"
         ("add_executable(arm src/arm.cpp)\nadd_library(armlib src/arm.cpp)\n", SOURCE, True),
         ("add_executable(arm src/arm.cpp)\nadd_library(other src/other.cpp)\n", SOURCE, False),
         ("add_executable(arm src/arm.cpp)\nadd_library(other ${SOURCES})\n", SOURCE, True),
-        ("add_executable(arm src/arm.cpp)\n", "int main() {}\n", False),
+        ("add_executable(arm src/arm.cpp)\n", "int main() {}\n", True),
         ("add_executable(arm src/arm.cpp)\nament_export_include_directories(include)\n", "int main() {}\n", True),
         ("add_executable(arm src/arm.cpp)\nadd_library(other src/other.cpp)\n", "int main() {}\n", True),
         ("add_executable(arm src/arm.cpp)\n", USING, False),
@@ -29,6 +29,15 @@ def test_headers_whose_code_only_a_program_has(told, build: str, source: str, is
     old = {"arm/CMakeLists.txt": make, "arm/include/arm/arm.hpp": HEADER, "arm/src/arm.cpp": source}
     new = {"arm/include/arm/arm.hpp": HEADER.replace("move", "go"), "arm/src/arm.cpp": source.replace("move", "go")}
     assert any(entry[0] == "method" for entry in told(old, new)) is is_public
+
+
+@pytest.mark.parametrize(("installs", "is_public"), [(INSTALLS, True), ("", False)])
+def test_headers_that_nobody_is_told_of(told, installs: str, is_public: bool) -> None:  # type: ignore[no-untyped-def]
+    """Nobody finds the headers of a package that is there to be started, unless it installs them."""
+    make = f"project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION lib/arm)\n{installs}"
+    old = {"arm/CMakeLists.txt": make, "arm/include/arm/arm.hpp": HEADER, "arm/src/arm.cpp": "int main() {}\n"}
+    found = told(old, {"arm/include/arm/arm.hpp": HEADER.replace("move", "go")})
+    assert any(entry[0] == "method" for entry in found) is is_public
 
 
 SETUP = "from setuptools import setup\nsetup(name='arm', packages=['arm'], entry_points={entry})\n"
