@@ -258,6 +258,8 @@ class Calling:
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:
         if effect.kind == "swapped":
             return self.memory.exchanged(effect.key, self.memory.known(effect.name, env.state or state, env), state)
+        if effect.kind == "found":
+            return self.memory.in_place(effect.key, Held("value", effect.key, effect.call, env), state)
         before = self.memory.known(effect.key, state, env)
         if effect.kind == "handed" and all(self._keeps_its_text(held) for held in all_ways(before)):
             return state

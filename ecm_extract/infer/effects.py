@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Set
+from itertools import chain
 from typing import TYPE_CHECKING, Final
 
 import msgspec
@@ -25,6 +26,7 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names, shared_names
 from ecm_extract.infer.effect import Effect, Kind
+from ecm_extract.infer.finding import found
 from ecm_extract.infer.handed_functions import HandedFunctions
 from ecm_extract.infer.led_into import led_into
 from ecm_extract.infer.library_calls import calls_of
@@ -116,8 +118,8 @@ class Effects:
         if known is None:
             self._known[at] = ()  # who asks in a circle
             statement = self.func.fact.body[at]
-            calls = [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
-            known = self._known[at] = (*calls, *self._taken(statement))
+            groups = (found(call, at, self) or self._of_call(call, at, statement) for call in self.func.calls[at])
+            known = self._known[at] = (*chain.from_iterable(groups), *self._taken(statement))
         return known
 
     def _taken(self, statement: Statement) -> Iterator[Effect]:

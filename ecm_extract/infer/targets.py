@@ -51,6 +51,9 @@ class Targets(Protocol):
     def keeps(self, path: str) -> bool:
         """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
 
+    def finds(self, path: str) -> bool:
+        """Tell whether a call that is written so gives its last argument the name of a parameter that it looks for."""
+
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++ means a variable of a namespace."""
 

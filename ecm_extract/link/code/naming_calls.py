@@ -21,7 +21,11 @@ def is_resolver(name: str) -> bool:
 
 def gives_name(path: str) -> bool:
     """Tell whether a function, as it is written, gives the name that it is passed."""
-    return is_resolver(last_name(path)) or path.endswith(tuple(_table()["tidying"]["paths"])) or searches(path)
+    return _passes_on(path) or searches(path)
+
+
+def _passes_on(path: str) -> bool:
+    return is_resolver(last_name(path)) or path.endswith(tuple(_table()["tidying"]["paths"]))
 
 
 def searches(path: str) -> bool:
@@ -32,4 +36,4 @@ def searches(path: str) -> bool:
 def leaves_arguments(path: str) -> bool:
     """Tell whether a function, as it is written, makes a name and leaves what it is given as it is."""
     reading = _table()["reading"]
-    return gives_name(path) or last_name(path) in reading["names"] or path.endswith(tuple(reading["paths"]))
+    return _passes_on(path) or last_name(path) in reading["names"] or path.endswith(tuple(reading["paths"]))

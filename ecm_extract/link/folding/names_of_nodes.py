@@ -37,7 +37,7 @@ _RESOLVED_BY_HANDLE: Final = "resolveName"
 def resolved(call: Invocation, env: Env, folder: Folder) -> tuple[Value, ...]:
     """Return a name as it is passed; `nh.resolveName(name)` gives it below the handle, whatever other one gets it."""
     values = folder.fold(call.args[0], env)
-    if searches(call.path) or searches(call.last):
+    if searches(call.path):
         return lowered(values, "default")
     of_handle = call.receiver is not None and call.last == _RESOLVED_BY_HANDLE
     space = namespace_of(call.receiver, env, folder) if of_handle and call.receiver is not None else None

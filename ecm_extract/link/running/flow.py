@@ -17,7 +17,7 @@ from ecm_extract.infer.places import as_written
 from ecm_extract.infer.read_into import Reads
 from ecm_extract.infer.routes import Fork, Verdict
 from ecm_extract.infer.run import Run
-from ecm_extract.link.code.naming_calls import leaves_arguments
+from ecm_extract.link.code.naming_calls import leaves_arguments, searches
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.bounds import MAX_FRAMES, MAX_RECURSION, MAX_RUNNING, MAX_RUNS, MAX_WITHIN
@@ -284,6 +284,10 @@ class Flow:
     def keeps(self, path: str) -> bool:
         """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
         return self.folder.reads.knows(last_name(path)) or leaves_arguments(path)
+
+    def finds(self, path: str) -> bool:
+        """Tell whether a call that is written so gives its last argument the name of a parameter that it looks for."""
+        return searches(path)
 
     def is_of_library(self, name: str, func: Func) -> bool:
         """Tell whether a name that the file of a function of Python imports is of a module outside of the tree."""

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.cpp_expr import SEARCHING, ExprReader
+from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_statements import StatementWriter
-from ecm_parsers.source.expr import Call, Expr, Name, Number, Op, Opaque
+from ecm_parsers.source.expr import Expr, Name, Number, Op, Opaque
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -37,10 +37,8 @@ class Changes:
         """Write what an assignment or a count changes, and return what the expression gets.
 
         Returns:
-            None where it is a statement of its own, which others read, and of a call that changes nothing.
+            None where it is a statement of its own, which others read.
         """
-        if node.type == "call_expression":
-            return self._searched(reader, node)
         target_node = node.child_by_field_name("argument") or node.child_by_field_name("left")
         if target_node is None or _is_by_itself(node):
             return None
@@ -58,17 +56,6 @@ class Changes:
         self.writer.add("let", node, target, before, "auto")
         self.writer.add("set", node, value, target)
         return before
-
-    def _searched(self, reader: ExprReader, node: Node) -> Expr | None:
-        """`nh.searchParam("rate", key)` tells whether there is such a parameter, and gives its name to a variable."""
-        function, listed = node.child_by_field_name("function"), node.child_by_field_name("arguments")
-        given = [each for each in listed.named_children if each.type != "comment"] if listed is not None else []
-        if function is None or len(given) != 2 or not reader.text(function).endswith(SEARCHING):
-            return None
-        asked = Call(reader.read(function), (reader.read(given[0]),), (), (), node.start_point[0] + 1)
-        value = Opaque(reader.text(node)[:80]) if _may_not_happen(node) else asked
-        self.writer.add("set", node, value, reader.read(given[1]))
-        return asked
 
 
 def _is_by_itself(node: Node) -> bool:

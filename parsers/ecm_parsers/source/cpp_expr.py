@@ -157,8 +157,6 @@ class ExprReader:
         return tuple([self.type_text(child) for child in listed.named_children if child.type != "comment"])
 
 
-SEARCHING = ("searchParam", "param::search")
-"""How roscpp calls what finds a parameter, here or above. Source: ros/node_handle.h, ros/param.h."""
 _TEMPLATED = frozenset({"template_function", "template_type", "template_method"})
 
 
@@ -180,9 +178,6 @@ def _call(reader: ExprReader, node: Node) -> Expr:
             if name == MOVED.text and isinstance(value, Name):
                 reader.moved.append(value)
             return _cast(value, reader.template_arguments(function))
-    searched = _changed(reader, node) if reader.text(function).endswith(SEARCHING) else None
-    if searched is not None:
-        return searched
     callee = called_lambda(reader, function) or reader.read(function)
     callee = Name(callee.id) if isinstance(callee, Specialized) else callee
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
