@@ -56,6 +56,11 @@ class Site:
         """Whether its row implies the whole name, which no handle and no node changes."""
         return self.form.fixed.startswith("/")
 
+    @property
+    def first(self) -> Invocation:
+        """The outermost call."""
+        return self.chain[0] if self.chain else self.call
+
     def takes(self, expr: Expr) -> bool:
         """Whether an argument is made of what the outermost function is given, and nobody says what that is."""
         open_ = self.root.given - self.env.args.keys() if self.env.func is self.root else frozenset[str]()

@@ -106,7 +106,7 @@ class Sites:
         self.folder.states.callers.find = self._calling
         self.folder.states.callers.making = self._made
         self.folder.lasting.find()
-        matcher.undeclared.makers = lambda cls: (call.func for call, _ in self._made(cls))
+        matcher.undeclared.makers = lambda cls: (call.func for call in self.makers(cls))
         matcher.undeclared.callers = self._askers
 
     def find(self, parameters: bool) -> list[Site]:
@@ -288,7 +288,7 @@ class Sites:
 
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""
-        env = self.ways.enter(call, self._first(site), outer)
+        env = self.ways.enter(call, site.first, outer)
         return self._widened(site, call, outer, env)
 
     def _widened(self, site: Site, call: Invocation, outer: Env, root: Env) -> Site:
@@ -298,21 +298,18 @@ class Sites:
         wider = replace(site.as_written(), env=env, chain=chain, owner=owner, root=call.func)
         return self._spread_out(replace(wider, places=(outer, *places)))
 
-    def _first(self, site: Site) -> Invocation:
-        return site.chain[0] if site.chain else site.call
-
     # --- objects -----------------------------------------------------------------------------------------
 
     def _makers(self, site: Site, cls: Cls) -> Iterator[Site]:
         """One site for each class that derives from `cls`, and for each place that makes one."""
-        at = self._first(site).at
+        at = site.first.at
         own, may_run = site.owner is site.root.cls, self.folder.objects.may_run
         for derived in self.program.derived(cls) if own else ():
             yield self._spread_out(self.ways.of_class(site, derived))
-        for call in self.calls.get(cls.fact.name, ()):
+        for call in self.makers(cls):
             if call.func.holder is cls or (own and self.making.is_base_of(call, cls)):
                 continue
-            if self.making.makes(call, cls) and call not in site.chain and may_run(site.root, cls, call):
+            if call not in site.chain and may_run(site.root, cls, call):
                 exact, sure = cls if own else site.exact, self.making.is_sure(cls)
                 for outer, certain in self.ways.places(self.root_env(call.func, call.at)):
                     known = site.certain and certain and sure
@@ -338,9 +335,13 @@ class Sites:
     def makings(self, func: Func, at: int) -> Iterator[Env]:
         """Yield a place once for each call in the tree that makes the object at hand; nothing for functions."""
         cls = func.holder
-        for call in self.calls.get(cls.fact.name, ()) if cls is not None else ():
-            if cls is not None and call.func.cls is not cls and self.making.makes(call, cls):
+        for call in self.makers(cls) if cls is not None else ():
+            if cls is not None and call.func.cls is not cls:
                 yield self._in_made(Env(func, at), cls, call, self.root_env(call.func, call.at))
 
+    def makers(self, cls: Cls) -> Iterator[Invocation]:
+        """Yield the calls that make objects of a class."""
+        return (call for call in self.calls.get(cls.fact.name, ()) if self.making.makes(call, cls))
+
     def _made(self, cls: Cls) -> Iterator[tuple[Invocation, Env]]:
-        return ((call, self._place(call)) for call in self.calls.get(cls.fact.name, ()) if self.making.makes(call, cls))
+        return ((call, self._place(call)) for call in self.makers(cls))

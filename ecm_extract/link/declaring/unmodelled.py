@@ -93,16 +93,21 @@ def _called(call: Call) -> str:
 
 
 def _told(path: str, name: str, line: int) -> FileDiagnostic:
-    shown, asked = printable(path), printable(name)
+    return _told_computed(printable(path), line) if name == MADE_UP else _told_outside(printable(path), name, line)
+
+
+def _told_outside(path: str, name: str, line: int) -> FileDiagnostic:
     row = printable(last_name(name.replace(".", "::")))
-    given = (
-        f"{asked} gets a node and a name, and neither the tree nor a row shows what it does with them: what it "
-        f"declares is not told. Read its package as well, or add a row for {row} to ecm.toml."
+    text = (
+        f"{printable(name)} gets a node and a name, and neither the tree nor a row shows what it does with them: what "
+        f"it declares is not told. Read its package as well, or add a row for {row} to ecm.toml."
     )
-    made_up = (
-        f"{asked} asks a node for a method by a name that is put together: what that declares is not told. "
+    return FileDiagnostic("warning", CODE, path, line, text, Unread(path, "outside"))
+
+
+def _told_computed(path: str, line: int) -> FileDiagnostic:
+    text = (
+        f"{MADE_UP} asks a node for a method by a name that is put together: what that declares is not told. "
         "Call the method by its name, or by a table of methods."
     )
-    if name == MADE_UP:
-        return FileDiagnostic("warning", COMPUTED, shown, line, made_up, Unread(shown, "unfollowed"))
-    return FileDiagnostic("warning", CODE, shown, line, given, Unread(shown, "outside"))
+    return FileDiagnostic("warning", COMPUTED, path, line, text, Unread(path, "unfollowed"))

@@ -84,8 +84,7 @@ class WaysIn:
         """Return a site of a method as it is of objects of just this class, whoever makes one."""
         root, made = site.root, Instance(cls, {}, {}, exact=True) if cls is not None else None
         part = self.folder.objects.part(made, root.cls) if made is not None and root.cls is not None else None
-        first = site.chain[0] if site.chain else site.call
-        place = Env(root, first.at, {}, dict(part.types) if part is not None else {}, cls, made)
+        place = Env(root, site.first.at, {}, dict(part.types) if part is not None else {}, cls, made)
         *places, env = self.inside(site, place)
         return replace(site.as_written(), env=env, owner=cls, places=tuple(places), exact=cls)
 

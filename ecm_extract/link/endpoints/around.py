@@ -61,7 +61,7 @@ class Around(Generic[_T]):
         """The calls that make a helper; a class with a contract of its own is made by whoever loads it."""
         if self.modules.is_module(cls) or self.sites.program.derived(cls):
             return ()
-        made = [call for call in self.sites.calls.get(cls.fact.name, ()) if self.sites.making.makes(call, cls)]
+        made = list(self.sites.makers(cls))
         others = set(self.modules.references.handing(cls)) - {call.func for call in made}
         return () if others else made
 

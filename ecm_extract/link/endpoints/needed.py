@@ -57,9 +57,7 @@ class Needed:
         if func.cls is None and func.fact.name == _MAIN:
             return True
         if func.is_constructor and func.cls is not None:
-            named = self.sites.calls.get(func.cls.fact.name, ())
-            made = (call for call in named if self.sites.making.makes(call, func.cls))
-            return any(_is_plain(call) and self._is_reached(call.func) for call in made)
+            return any(_is_plain(call) and self._is_reached(call.func) for call in self.sites.makers(func.cls))
         return any(_is_plain(call) and self._is_reached(call.func) for call in self.sites.callers(func))
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call
 
 from ecm_extract.infer.effects import is_plain
-from ecm_extract.infer.held import Held, How, all_ways
+from ecm_extract.infer.held import Held, all_ways
 from ecm_extract.infer.places import as_written, owners
 from ecm_extract.link.folding.fields_left import field_left
 from ecm_extract.link.running.arguments import bind
@@ -43,8 +43,9 @@ class BehindCalls:
             end = inner.within(run.end, len(inner.func.fact.body))
             return (Held("value", held.name, as_written(held.name), end),), inner
         if self._is_changed_unseen(held, inner):
-            how: How = "handed" if self._is_changed_inside(held, inner) else "lost"
-            return (Held(how, held.name, before=held.before),), env
+            if self._is_changed_inside(held, inner):
+                return (Held("handed", held.name, before=held.before),), env
+            return (Held("lost", held.name),), inner
         return (held.before, env) if not run.end.called else ((Held("shared", held.name),), inner)
 
     def _is_changed_unseen(self, held: Held, env: Env) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Member, Name, Op
@@ -20,25 +19,19 @@ def field_of_chosen(expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]
     if env.depth >= MAX_DEPTH or env.func.file.language != "python":
         return ()
     made = Bound(expr.base, env) if isinstance(expr.base, Op) else folder.structures.made(expr.base, env)
-    sides = list(_sides(made, folder)) if made is not None and _is_choice(made) else []
-    fields = [_field(side, expr, env, folder) for side in sides]
-    return alternatives([value for values in fields for value in values]) if all(fields) else ()
+    sides = _sides(made, folder) if made is not None else []
+    fields = [_field(side, expr, env, folder) for side in sides if side is not made]
+    return alternatives([value for values in fields for value in values]) if all(fields) and fields else ()
 
 
-def _is_choice(made: Bound) -> bool:
-    return isinstance(made.expr, Op) and made.expr.op == "?:" and len(made.expr.operands) == 3
-
-
-def _sides(made: Bound, folder: Folder) -> Iterator[Bound]:
-    """Yield what a choice may give: both sides where nobody can decide it."""
-    if not isinstance(made.expr, Op) or not _is_choice(made):
-        yield made
-        return
+def _sides(made: Bound, folder: Folder) -> list[Bound]:
+    """What a choice may give, both sides where nobody can decide it; anything else itself."""
+    if not isinstance(made.expr, Op) or made.expr.op != "?:":
+        return [made]
     test, first, second = made.expr.operands
     holds = folder.flow.truth(test, made.env)
-    for side, taken in ((first, True), (second, False)):
-        if holds is not (not taken):
-            yield from _sides(Bound(side, made.env), folder)
+    taken = [first, second] if holds is None else [first if holds else second]
+    return [each for side in taken for each in _sides(Bound(side, made.env), folder)]
 
 
 def _field(side: Bound, expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:

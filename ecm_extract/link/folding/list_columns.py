@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Final, NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Items, Name, Number
 
-REORDERING: Final = frozenset({"list", "tuple", "sorted", "reversed", "set", "frozenset"})
+_REORDERING: Final = frozenset({"list", "tuple", "sorted", "reversed", "set", "frozenset"})
 """Calls of Python that have all elements of one list, in any order."""
 
 
@@ -18,16 +17,23 @@ class Column(NamedTuple):
     place: tuple[int, ...]
 
 
-def column(listed: Expr, place: Sequence[int]) -> Column | None:
-    """Return the list of which each part is an element, as far as calls tell; None where a part is counted or made."""
-    while isinstance(listed, Call) and isinstance(listed.callee, Name):
-        inner = _argument(listed, listed.callee.id, place)
-        if inner is None:
-            break
-        if inner.listed is None:
-            return None
-        listed, place = inner.listed, inner.place
-    return Column(listed, tuple(place))
+def column(listed: Expr, place: tuple[int, ...]) -> Column:
+    """Return the list of which each part is an element, or a part of one, as far as calls tell."""
+    while (inner := _argument(listed, place)) is not None:
+        listed, place = inner
+    return Column(listed, place)
+
+
+def _argument(listed: Expr, place: tuple[int, ...]) -> Column | None:
+    """The argument of a call of Python of which the elements are parts of its elements; None of other expressions."""
+    if not isinstance(listed, Call) or not isinstance(listed.callee, Name) or not listed.args:
+        return None
+    name, first, rest = listed.callee.id, place[:1], place[1:]
+    if name in _REORDERING:
+        return Column(listed.args[0], place) if len(listed.args) == 1 else None
+    if name == "enumerate":
+        return Column(listed.args[0], rest) if first == (1,) else None
+    return Column(listed.args[first[0]], rest) if name == "zip" and first and first[0] < len(listed.args) else None
 
 
 def place_of(written: Expr | None) -> tuple[int, ...] | None:
@@ -48,19 +54,3 @@ def indexed(numbers: Expr | None) -> Expr | None:
 def _only_argument(expr: Expr | None, function: str) -> Expr | None:
     is_call = isinstance(expr, Call) and expr.callee == Name(function) and not expr.keywords
     return expr.args[0] if is_call and isinstance(expr, Call) and len(expr.args) == 1 else None
-
-
-class _Inner(NamedTuple):
-    listed: Expr | None
-    place: tuple[int, ...]
-
-
-def _argument(call: Call, name: str, place: Sequence[int]) -> _Inner | None:
-    """The argument whose elements a call of Python gives; None of other calls."""
-    if name in REORDERING and len(call.args) == 1:
-        return _Inner(call.args[0], tuple(place))
-    if name == "enumerate" and call.args and place:
-        return _Inner(call.args[0] if place[0] == 1 else None, tuple(place[1:]))
-    if name == "zip" and place and place[0] < len(call.args):
-        return _Inner(call.args[place[0]], tuple(place[1:]))
-    return None

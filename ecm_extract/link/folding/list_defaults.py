@@ -46,11 +46,11 @@ class ListDefaults:
 
     def elements(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the elements of the default of the parameter that a list is; none where not all are known."""
-        found = column(expr, ()) if expr is not None and env.func.file.language == "python" else None
-        default = self._default(found.listed if found is not None else expr, env)
+        listed = column(expr, ()).listed if expr is not None and env.func.file.language == "python" else expr
+        default = self._default(listed, env)
         return self._told(default, self._folded(default, env)) if default is not None else ()
 
-    def part(self, expr: Expr | None, place: Sequence[int], env: Env) -> tuple[Value, ...]:
+    def part(self, expr: Expr | None, place: tuple[int, ...], env: Env) -> tuple[Value, ...]:
         """Return what a part of each element is by default: `b` in `for a, b in zip(ids, names)`.
 
         Parts of several elements belong to parts beside them, so each is one of all.

@@ -228,8 +228,8 @@ class NodeNames:
     def _makings(self, cls: Cls) -> Sequence[NodeName | None]:
         """The names that the places give a node which make it; none where its constructor is not known."""
         found: list[NodeName | None] = []
-        for call in self.sites.calls.get(cls.fact.name, ()):
-            if self.sites.making.makes(call, cls) and call.func.cls is not cls:
+        for call in self.sites.makers(cls):
+            if call.func.cls is not cls:
                 constructor = self.folder.objects.constructor(cls, call)
                 if constructor is None and call.args and self._hands_on(cls):
                     found += [] if self.sites.making.is_base_of(call, cls) else [self._given_to_base(call)]

@@ -30,7 +30,7 @@ class SoleObjects:
         return self._known[cls]
 
     def _made(self, cls: Cls) -> Instance | None:
-        calls = [call for call in self.sites.calls.get(cls.fact.name, ()) if self.sites.making.makes(call, cls)]
+        calls = list(self.sites.makers(cls))
         return self.sites.made_by(calls[0], cls, self._place(calls[0])) if len(calls) == 1 else None
 
     def _place(self, call: Invocation) -> Env:

@@ -109,8 +109,7 @@ class _Composer:
                 pending.extend(self.references.users(unit))
 
     def _making(self, cls: Cls) -> Iterable[Invocation]:
-        sites = self.references.sites
-        return [call for call in sites.calls.get(cls.fact.name, ()) if sites.making.makes(call, cls)]
+        return list(self.references.sites.makers(cls))
 
     def _names(self, calls: Iterable[Invocation], unit: Cls) -> list[str | None]:
         """Return what a class calls the nodes that it makes: the argument for a parameter that is a name."""

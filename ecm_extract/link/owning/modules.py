@@ -124,8 +124,8 @@ class Modules:
         sites = self.references.sites
         if not sites.program.derived(cls):
             return not cls.fact.template
-        calls = (call for call in sites.calls.get(cls.fact.name, ()) if not sites.making.is_base_of(call, cls))
-        return any(sites.making.makes(call, cls) for call in calls) or any(True for _ in self.references.asking(cls))
+        made = any(not sites.making.is_base_of(call, cls) for call in sites.makers(cls))
+        return made or any(True for _ in self.references.asking(cls))
 
     def owners(self, unit: Unit) -> tuple[Module, ...]:
         """Return the modules that have the endpoints of a unit: itself, those that use it, or the library."""

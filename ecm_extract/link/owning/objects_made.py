@@ -8,21 +8,20 @@ from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.dispatching import is_early
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.owning.made_classes import MadeClasses
 from ecm_extract.link.owning.made_unseen import SeenMakers
 from ecm_extract.link.owning.modules import Module
-from ecm_extract.link.owning.reach import Reach
 from ecm_extract.link.running.early_binding import is_virtual
 
 
 class ObjectsMade:
-    """Tells whether the objects of modules run what a site comes through; each class is asked about once a module."""
+    """Tells whether the objects of modules run what a site comes through."""
 
-    def __init__(self, sites: Sites, reach: Reach, makers: SeenMakers) -> None:
+    def __init__(self, sites: Sites, made: MadeClasses, makers: SeenMakers) -> None:
         self.sites = sites
         self.program = sites.program
-        self.reach = reach
+        self.made = made
         self.makers = makers
-        self._made: dict[tuple[Module, Cls], Sequence[Cls]] = {}
 
     def run(self, site: Site, module: Module) -> bool:
         """Tell whether an object that a module makes runs the methods of C++ by which a site is reached."""
@@ -46,19 +45,6 @@ class ObjectsMade:
         return any(is_early(call) for call in self.sites.calls.get(method.fact.name, ()))
 
     def _made_by(self, module: Module, cls: Cls) -> Sequence[Cls]:
-        asked = (module, cls)
-        if asked not in self._made:
-            family = (cls, *self.program.derived(cls))
-            own = module.cls
-            self._made[asked] = (own,) if own is not None and own in family else tuple(self._of(module, family))
-        return self._made[asked]
-
-    def _of(self, module: Module, family: Sequence[Cls]) -> Iterator[Cls]:
-        """Those of a family of which a module makes objects; none where it may make some that nothing names."""
-        if all(map(self.makers.are_named, family)):
-            yield from (each for each in family if self._makes(module, each))
-
-    def _makes(self, module: Module, cls: Cls) -> bool:
-        calls = (call for call in self.sites.calls.get(cls.fact.name, ()) if self.sites.making.makes(call, cls))
-        makers = (call.func for call in calls if not self.sites.making.is_base_of(call, cls))
-        return any(self.reach.reaches(module, [maker]) for maker in makers)
+        """The classes of a family of which a module makes objects; none where it may make some that nothing names."""
+        family = (cls, *self.program.derived(cls))
+        return self.made.of(module, cls) if module.cls in family or all(map(self.makers.are_named, family)) else ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from ecm_parsers.source.expr import THIS
 
@@ -11,19 +11,18 @@ from ecm_extract.link.code.own import is_super
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.owning.made_classes import MadeClasses
 from ecm_extract.link.owning.modules import Module
-from ecm_extract.link.owning.reach import Reach
 from ecm_extract.link.running.class_lines import ahead
 
 
 class Overridden:
-    """Tells whether a site stands in one; each class is asked about once a module."""
+    """Tells whether a site stands in one."""
 
-    def __init__(self, sites: Sites, reach: Reach) -> None:
+    def __init__(self, sites: Sites, made: MadeClasses) -> None:
         self.sites = sites
         self.program = sites.program
-        self.reach = reach
-        self._made: dict[tuple[Module, Cls], Sequence[Cls]] = {}
+        self.made = made
 
     def hides(self, site: Site, module: Module) -> bool:
         """Tell whether no object that a module makes runs the methods by which a site is reached."""
@@ -31,7 +30,7 @@ class Overridden:
         if cls is None or cls.file.language != "python" or (module.main is None and module.cls is None):
             return False
         methods = [each for each in self._by_name(site) if self._may_be_hidden(each)]
-        made = self._made_by(module, cls) if methods else ()
+        made = self.made.of(module, cls) if methods else ()
         return bool(made) and not any(all(self._runs(method, each) for method in methods) for each in made)
 
     def _by_name(self, site: Site) -> Iterator[Func]:
@@ -62,21 +61,3 @@ class Overridden:
         named = (each for entry in self.program.ancestry(cls) for each in entry.methods)
         nearest = next((each for each in named if each.fact.name == method.fact.name), None)
         return nearest is None or nearest.cls is method.cls
-
-    def _made_by(self, module: Module, cls: Cls) -> Sequence[Cls]:
-        """The classes of a family of which a module makes objects, or is one."""
-        asked = (module, cls)
-        if asked not in self._made:
-            family = (cls, *self.program.derived(cls))
-            own = module.cls
-            self._made[asked] = (
-                (own,) if own is not None and own in family else [each for each in family if self._makes(module, each)]
-            )
-        return self._made[asked]
-
-    def _makes(self, module: Module, cls: Cls) -> bool:
-        if self.sites.other_makers.has(cls):
-            return True
-        calls = (call for call in self.sites.calls.get(cls.fact.name, ()) if self.sites.making.makes(call, cls))
-        makers = (call.func for call in calls if not self.sites.making.is_base_of(call, cls))
-        return any(self.reach.reaches(module, [maker]) for maker in makers)

@@ -11,6 +11,7 @@ from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.owning.constructors import Constructors
 from ecm_extract.link.owning.decided import Decided
 from ecm_extract.link.owning.leads import mentions_of_constant
+from ecm_extract.link.owning.made_classes import MadeClasses
 from ecm_extract.link.owning.made_unseen import SeenMakers
 from ecm_extract.link.owning.modules import Module, Modules
 from ecm_extract.link.owning.objects_made import ObjectsMade
@@ -31,8 +32,9 @@ class Ownership:
         self.modules = modules
         self.reach = Reach(self.program, modules.loaded, modules.references.registered)
         self.constructors = Constructors(sites.calls, makers)
-        self.objects = ObjectsMade(sites, self.reach, makers)
-        self.overridden = Overridden(sites, self.reach)
+        made = MadeClasses(sites, self.reach)
+        self.objects = ObjectsMade(sites, made, makers)
+        self.overridden = Overridden(sites, made)
         self.decided = Decided(sites, modules.references)
 
     def owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:

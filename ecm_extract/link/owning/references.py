@@ -118,15 +118,13 @@ class References:
 
     def _factories(self, cls: Cls) -> Iterator[Func]:
         """Yield the methods that need no object and make one: singletons, factories."""
-        for call in self.sites.calls.get(cls.fact.name, ()):
-            if call.func.cls is cls and call.func.holder is None and self.sites.making.makes(call, cls):
+        for call in self.sites.makers(cls):
+            if call.func.cls is cls and call.func.holder is None:
                 yield call.func
         yield from (method for method in cls.methods if makes_own_class(method))
 
     def _makers(self, cls: Cls) -> Iterator[Unit]:
-        for call in self.sites.calls.get(cls.fact.name, ()):
-            if self.sites.making.makes(call, cls):
-                yield call.func.holder or call.func
+        yield from (call.func.holder or call.func for call in self.sites.makers(cls))
         yield from (func.holder or func for func in self.handing(cls))
 
     def _mentioning(self, cls: Cls, index: dict[str, list[_Mention]]) -> Iterator[Unit]:

@@ -140,9 +140,13 @@ class Objects:
 
     def _made_type(self, expr: Call, env: Env) -> str:
         """What the tree shows of a call, or the type that one of a library asks for: `node["a"].as<int>()`."""
-        last = invocation_of(expr, env).last if expr.types else ""
-        asked = f"std::shared_ptr<{expr.types[0]}>" if last in _POINTER_CASTS else expr.types[0] if expr.types else ""
-        return self._shown_type(expr, env) or (asked if last in _TYPED_CALLS | _POINTER_CASTS else "")
+        shown = self._shown_type(expr, env)
+        if shown or not expr.types:
+            return shown
+        last = invocation_of(expr, env).last
+        if last in _POINTER_CASTS:
+            return f"std::shared_ptr<{expr.types[0]}>"
+        return expr.types[0] if last in _TYPED_CALLS else ""
 
     def _shown_type(self, expr: Call, env: Env) -> str:
         if isinstance(expr.callee, Name):
