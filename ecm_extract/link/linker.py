@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos
 from ecm_checker.hub.local_name import LocalName
-from ecm_parsers.source.expr import Name, Text
+from ecm_parsers.source.expr import Text
 
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
@@ -341,8 +341,8 @@ class Linker:
             return None
         given = next((expr for expr in self.sites.handed_roots.profiles(site) if not is_callback(expr)), None)
         if ros == 1:
-            return self.qos.depth(given, latch_argument(form, site.call), site.env)
-        return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)
+            return self.qos.depth(given, latch_argument(form, site.call), site.env, form.implied)
+        return self.qos.read(given or form.implied, site.env)
 
 
 def _key(interface: Interface) -> tuple[str, str, str | None]:

@@ -17,6 +17,7 @@ from typing import Literal
 
 import msgspec
 from ecm_checker.hub.roles import Role, RoleKind, roles
+from ecm_parsers.source.expr import Name
 
 _POSITION = re.compile(
     r"(?:arg|text|template|callback|service_callback|receiver|variable|request):\d+|kw:\w+|field:\d+(?:\.\w+)+"
@@ -116,6 +117,11 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def row(self) -> RoleKind:
         """What its role is to others."""
         return roles()[self.role]
+
+    @property
+    def implied(self) -> Name | None:
+        """The QoS preset that its call implies, as an expression."""
+        return Name(self.profile) if self.profile else None
 
     @property
     def last(self) -> str:

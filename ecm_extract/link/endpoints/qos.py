@@ -51,6 +51,7 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
 }
 MAX_DEPTH = 12
 """Nesting of evaluations."""
+_LATCHED = "transient_local"
 _WITHOUT_DEPTH = frozenset({"keep_all", "system_default", "unknown"})
 
 
@@ -78,20 +79,24 @@ class QosReader:
         rest = {key: value for key, value in known.items() if key not in _BASIC}
         return Qos(**filled, **rest, defaulted=missing)
 
-    def depth(self, expr: Expr | None, latch: Expr | None, env: Env) -> Qos | None:
+    def depth(self, expr: Expr | None, latch: Expr | None, env: Env, implied: Name | None = None) -> Qos | None:
         """Return the profile of a ROS 1 endpoint: its queue size and, of a publisher, whether it is latched.
+
+        `implied` is the preset of a library that makes it, whose queue size counts where none is given.
 
         A latched publisher gives its last message to whoever comes later, as one that is transient local does.
         """
-        number = self.number(expr, env) if expr is not None else None
-        durability = self._latched(latch, env) if latch is not None else None
+        preset = self.read(implied, env) if implied is not None else Qos()
+        number = self.number(expr, env) if expr is not None else preset.depth
+        kept = preset.durability if preset.durability == _LATCHED else None
+        durability = self._latched(latch, env) if latch is not None else kept
         return Qos(depth=number, durability=durability) if number is not None or durability is not None else None
 
     def _latched(self, expr: Expr, env: Env) -> str | None:
         words = {value.text.lower() if value.confidence != "pattern" else "" for value in self.folder.fold(expr, env)}
         if words <= {"false", "0"}:
             return None
-        return "transient_local" if words <= {"true", "1"} else "unknown"
+        return _LATCHED if words <= {"true", "1"} else "unknown"
 
     def policies(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
         """Return what an expression sets; `level` is the nesting of evaluations."""
