@@ -122,8 +122,8 @@ def is_reshaped(old: Provision, new: Provision) -> bool:
 
 
 def _is_likely(old: Provision, new: Provision, places: Places) -> bool:
-    if old.row.fixed and not _same_class(old, new):
-        return False
+    if old.row.fixed and not _is_one_class(last_part(old.owner), last_part(new.owner)):
+        return False  # each class may have its `MIN`
     if _same_file(old, new, places.files):
         return True
     if not same_language(old, new) or (old.row.is_file and new.path in places.before):
@@ -150,16 +150,14 @@ def _same_surroundings(old: Provision, new: Provision) -> bool:
     return bool(first & second) or not (first or second)
 
 
-def _same_class(old: Provision, new: Provision) -> bool:
-    """Whether no class of another name has the one: each class may have its `MIN`."""
-    last = [last_part(entity.owner) for entity in (old, new)]
-    return last[0] == last[1] or not any(name[:1].isupper() for name in last)
-
-
 def _same_nest(old: Provision, new: Provision) -> bool:
     """Whether two classes of one name are no parts of classes of other names: each class may have its `Params`."""
-    outer = [entity.name.rpartition("::")[0].rpartition("::")[2] for entity in (old, new)]
-    return outer[0] == outer[1] or not any(name[:1].isupper() for name in outer)
+    return _is_one_class(*(entity.name.rpartition("::")[0].rpartition("::")[2] for entity in (old, new)))
+
+
+def _is_one_class(one: str, other: str) -> bool:
+    """Whether two names of what surrounds something are not those of two classes, which PEP 8 and ROS capitalise."""
+    return one == other or not any(name[:1].isupper() for name in (one, other))
 
 
 def _nearness(old: Provision, new: Provision, files: Mapping[str, str]) -> tuple[float, ...]:
