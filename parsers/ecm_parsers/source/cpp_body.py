@@ -14,7 +14,7 @@ from ecm_parsers.source.cpp_cases import CaseNodes, cases_of
 from ecm_parsers.source.cpp_changes import Changes
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
-from ecm_parsers.source.cpp_heads import hides, macro_test
+from ecm_parsers.source.cpp_heads import LastNamed, hides, macro_test
 from ecm_parsers.source.cpp_lambdas import DeclaredFunctions, as_function, lambda_parameters, lambda_traits, place_name
 from ecm_parsers.source.cpp_loops import Loops
 from ecm_parsers.source.cpp_parameters import declared_name
@@ -67,6 +67,7 @@ class BodyReader:
         self._assigning = Assigning(self.expr, self.writer, self._binding.buffers)
         self._loops = Loops(self, self._assigning, self._binding)
         self._captures = Captures()
+        self._last = LastNamed(data)
         self._nesting = 0
         self._entering = False
 
@@ -74,6 +75,8 @@ class BodyReader:
         """Read one statement, or a block of them."""
         if self._nesting >= MAX_NESTING:
             return
+        if not self._nesting:
+            self._last.begin(node)
         self._nesting += 1
         if node.type == "compound_statement" and self._nesting > 1 and not self._entering:
             self.writer.step(Branch(_TRUE, self.inner(node, deeper=0)))
@@ -82,7 +85,7 @@ class BodyReader:
             for child in node.named_children:
                 self.read(child)
         elif (step := _STEPS.get(node.type)) is not None:
-            hiding = hides(self.expr, node, self.writer.declared)
+            hiding = hides(self.expr, node, self.writer.declared, self._last)
             if hiding:
                 self.writer.begin()
             step(self, node)

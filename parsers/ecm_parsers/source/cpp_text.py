@@ -29,14 +29,14 @@ _LABEL_NOTE = re.compile(rb"(?<=\w)\s*\[\[[^\[\]]*\]\](?=\s*[=,}])")
 _ADJACENT = re.compile(rb"(?<=[(,])(\s*[A-Z][A-Z0-9]*_[A-Z0-9_]*)[ \t]([A-Z][A-Z0-9]*_[A-Z0-9_]*)(?=\s*[,)])")
 """Two macros for texts side by side: the compiler joins them."""
 _BESIDE = re.compile(
-    rb"//[^\n]*|/\*.*?\*/|'(?:[^'\\\n]|\\.)+'|R\"(?P<mark>[^()\\\s\"]{0,16})\(.*?\)(?P=mark)\""
+    rb"//[^\n]*|/\*.*?(?:\*/|\Z)|'(?:[^'\\\n]|\\.)+'|R\"(?P<mark>[^()\\\s\"]{0,16})\(.*?(?:\)(?P=mark)\"|\Z)"
     rb"|(?P<text>\"(?:[^\"\\\n]|\\.)*\")(?P<before>[ \t]+)(?=[A-Za-z_]\w*\()"
     rb"|\"(?:[^\"\\\n]|\\.)*\""
     rb"|\b(?!(?:if|while|for|switch)\b)(?P<call>[A-Za-z_]\w*\((?:[^()\"';{}]|\([^()\"';{}]*\))*\))"
     rb"(?P<behind>[ \t]+)(?=\")",
     re.DOTALL,
 )
-"""A call of a macro beside a text, which the compiler joins: `NAME(x) "/raw"`."""
+"""A call of a macro beside a text, which the compiler joins: `NAME(x) "/raw"`. What nobody ends goes on to the end."""
 BRACES = b"$$"
 """Stands for `{}` where the grammar knows no braces; no code has such a name."""
 _EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")
