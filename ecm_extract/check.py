@@ -14,13 +14,16 @@ from ecm_checker.operations.chain import chain
 from ecm_checker.operations.compose import compose
 from ecm_checker.operations.engine import examine, ready, report
 from ecm_checker.operations.invoke import invoke
+from ecm_checker.operations.partly import partly_read
 from ecm_checker.operations.system import system
 from ecm_checker.outcome import Report
 from ecm_checker.profiles import Call, Embodiment, Policy, Profiles, Runtime
 
+from ecm_extract.asked import refuse_gaps
 from ecm_extract.check_inputs import Subject, Told, launched_contracts, silent, subject
 from ecm_extract.errors import InputError
 from ecm_extract.outside import Known, outside_findings, told
+from ecm_extract.tree.unread import unread_in
 
 
 class Given(msgspec.Struct, frozen=True):
@@ -68,14 +71,22 @@ def decide(operation: str, paths: Sequence[str], given: Given, dimensions: Dimen
     if given.launch:
         return _launched(operation, paths, given, dimensions)
     subjects = [subject(path, given.cache, given.told) for path in paths]
+    if operation == "upgrade":
+        return _with_unasked(_upgrade(_whole(subjects), given, dimensions), subjects)
     groups = [each.contracts for each in subjects]
+    unread = [row for each in subjects for row in each.unread]
     if operation == "system":
         packages = _packages(subjects)
         decided = system(_flat(groups), given.profiles, dimensions, together=together, packages=packages)
-        return _with_unasked(_with_outside(decided, subjects, given), subjects)
-    if operation == "upgrade":
-        return _with_unasked(_upgrade(subjects, given, dimensions), subjects)
-    return _DECISIONS[operation](groups, given, dimensions)
+        return partly_read(_with_unasked(_with_outside(decided, subjects, given), subjects), unread)
+    return partly_read(_DECISIONS[operation](groups, given, dimensions), unread)
+
+
+def _whole(subjects: Sequence[Subject]) -> Sequence[Subject]:
+    """Subjects of which all was read: what a side lacks is as much as what it has where two are compared."""
+    for each in subjects:
+        refuse_gaps(each.path, unread_in(each.unread))
+    return subjects
 
 
 def _launched(operation: str, paths: Sequence[str], given: Given, dimensions: Dimensions) -> Report:
@@ -87,7 +98,7 @@ def _launched(operation: str, paths: Sequence[str], given: Given, dimensions: Di
     started = Packages([launched.started])
     decided = system(launched.contracts, given.profiles, dimensions, together=True, started=started)
     findings = tuple(_with_starts(finding, launched.starts) for finding in decided.findings)
-    return msgspec.structs.replace(decided, findings=findings)
+    return partly_read(msgspec.structs.replace(decided, findings=findings), launched.unread)
 
 
 def _with_starts(finding: Finding, starts: Mapping[str, Evidence]) -> Finding:

@@ -11,12 +11,14 @@ from ecm_checker.contract import Contract, Evidence
 from ecm_checker.encode import decode
 from ecm_checker.hub.package import SUFFIX as DOCUMENT
 from ecm_checker.hub.package import Package
+from ecm_checker.wire import NotRead
 from ecm_parsers.yaml_tree import parse_yaml, plain
 
 from ecm_extract.errors import InputError
 from ecm_extract.extraction_model import LocatedDiagnostic
 from ecm_extract.report.manifest_yaml import SUFFIX
-from ecm_extract.stored import is_stored, package_of, read_stored
+from ecm_extract.stored import is_stored, packages_of, read_stored
+from ecm_extract.tree.unread import not_read, unread_in
 
 MAX_BYTES: Final = 200_000_000
 
@@ -33,11 +35,15 @@ def silent(_diagnostics: Sequence[LocatedDiagnostic]) -> None:
 
 
 class Subject(msgspec.Struct, frozen=True):
-    """What a path names: contracts of modules, and the documents of their packages where they are at hand."""
+    """What a path names: contracts of modules, and the documents of their packages where they are at hand.
+
+    `unread`: what was not read of the tree or of the packages.
+    """
 
     path: str
     contracts: tuple[Contract, ...]
     packages: tuple[Package, ...] = ()
+    unread: tuple[NotRead, ...] = ()
 
 
 def subject(path: str, cache: bool = True, told: Told = silent) -> Subject:
@@ -50,38 +56,50 @@ def subject(path: str, cache: bool = True, told: Told = silent) -> Subject:
         told: gets what was said of the sources.
 
     Raises:
-        InputError: nothing is there, it holds no contract, or not all of it could be read.
+        InputError: nothing is there, or it holds no contract.
     """
     place = Path(path)
     if place.is_file():
-        return Subject(path, tuple(_of_file(place)), _documented(path) if is_stored(path) else ())
+        found = tuple(_of_file(place))
+        return _documented(path, found) if is_stored(path) else Subject(path, found)
     manifests = sorted(found for found in place.rglob(f"*{SUFFIX}") if found.is_file())
     if manifests:
         found = tuple(contract for file in manifests for contract in _of_file(file))
-        return Subject(path, found, _documented(path) if next(place.rglob(f"*{DOCUMENT}"), None) else ())
+        return _documented(path, found) if next(place.rglob(f"*{DOCUMENT}"), None) else Subject(path, found)
     return _extracted(path, cache, told)
 
 
-def _documented(path: str) -> tuple[Package, ...]:
-    """Packages of documents, of which nothing may be left unread, as of a tree."""
-    from ecm_extract.asked import refuse_gaps
-    from ecm_extract.stored import unread_in
+def whole_subject(path: str, cache: bool = True) -> Subject:
+    """What a path names, see `subject`, where all of it is needed.
 
+    Raises:
+        InputError: as `subject`, or not all of it could be read.
+    """
+    from ecm_extract.asked import refuse_gaps
+
+    found = subject(path, cache)
+    refuse_gaps(path, unread_in(found.unread))
+    return found
+
+
+def _documented(path: str, contracts: tuple[Contract, ...]) -> Subject:
+    """The packages of documents beside the contracts of their modules."""
     stored = read_stored(path)
     rows = [each for package in stored.packages for each in package.unread]
-    refuse_gaps(path, dict.fromkeys((*stored.unread, *unread_in(rows))))
-    return stored.packages
+    return Subject(path, contracts, stored.packages, tuple(dict.fromkeys((*not_read(stored.unread), *rows))))
 
 
 class LaunchedContracts(NamedTuple):
     """Contracts of the nodes that launch files start, and the line that starts each, by the id of its contract.
 
-    `started` is what the launch makes of names of nodes, see `system.started`.
+    `started` is what the launch makes of names of nodes, see `system.started`. `unread` is what was not read of the
+    packages that run.
     """
 
     contracts: tuple[Contract, ...]
     starts: Mapping[str, Evidence]
     started: Package
+    unread: tuple[NotRead, ...]
 
 
 def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> LaunchedContracts:
@@ -116,7 +134,7 @@ def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> L
         message = f"{', '.join(launches) or path} starts no node that is known before the launch"
         raise InputError(message, "`ecm-extract system` shows what it starts and under which conditions")
     starts = {node.name: Evidence(node.instance.place.path, node.instance.place.line) for node in system.nodes}
-    return LaunchedContracts(found, starts, started_package(system))
+    return LaunchedContracts(found, starts, started_package(system), system.unread)
 
 
 def profile(path: str | None, kind: type[_Profile]) -> _Profile | None:
@@ -184,17 +202,16 @@ def _yaml(path: Path, data: bytes) -> Iterator[Any]:
 
 
 def _extracted(path: str, cache: bool, told: Told) -> Subject:
-    from ecm_extract.asked import refuse_gaps, refuse_nothing_read
+    from ecm_extract.asked import refuse_nothing_read
     from ecm_extract.extraction import extract
     from ecm_extract.extraction_model import Options
     from ecm_extract.tree import open_tree
 
     extraction = extract(open_tree(path, None), Options(cache=cache, hub=True))
     refuse_nothing_read(extraction)
-    refuse_gaps(extraction.path, extraction.unread)
     told(extraction.diagnostics)
     found = tuple(module for package in extraction.packages for module in package.modules)
     if not found:
         message = f"{path} holds neither manifests nor ROS packages"
         raise InputError(message, "name a manifest, a folder of manifests, or a folder with a package.xml below it")
-    return Subject(path, found, tuple(package_of(each) for each in extraction.packages))
+    return Subject(path, found, packages_of(extraction), not_read(extraction.unread))

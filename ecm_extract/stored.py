@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Final
@@ -19,12 +19,14 @@ from ecm_parsers.interface_facts import Definition
 from ecm_extract.collector import without_collector
 from ecm_extract.entities.side import PackageInfo, Side
 from ecm_extract.errors import InputError
-from ecm_extract.extraction_model import LocatedDiagnostic, PackageContracts, sorted_diagnostics
+from ecm_extract.extraction_model import Extraction, LocatedDiagnostic, PackageContracts, sorted_diagnostics
+from ecm_extract.package_paths import concerns
 from ecm_extract.report.json_document import DOCUMENT_NAME
 from ecm_extract.report.manifest_yaml import SUFFIX as MANIFEST
 from ecm_extract.tree import Tree, Unread
 from ecm_extract.tree.blobs import BlobTree
 from ecm_extract.tree.git_repo import GitRepo
+from ecm_extract.tree.unread import not_read, unread_in
 
 MAX_BYTES: Final = 500_000_000
 _JSON: Final = ".json"
@@ -134,16 +136,21 @@ def _read(path: Path) -> Stored:
     return Stored(str(path), document.source.commit, packages, unread, document.source.path, diagnostics)
 
 
-def package_of(extracted: PackageContracts) -> Package:
-    """Return a package that was extracted just now, with what it provides and requires, as documents hold it."""
+def packages_of(extraction: Extraction) -> tuple[Package, ...]:
+    """Return the packages of a tree that was just read, with what they provide and require, as documents do."""
+    paths = {each.path for each in extraction.packages}
+    rows = not_read(extraction.unread)
+    return tuple(
+        package_of(each, tuple(row for row in rows if concerns(row.path, each.path, paths)))
+        for each in extraction.packages
+    )
+
+
+def package_of(extracted: PackageContracts, unread: tuple[NotRead, ...] = ()) -> Package:
+    """Return one such package."""
     hub = msgspec.json.decode(extracted.hub, type=Hub) if extracted.hub else Hub()
     head = {"name": extracted.name, "version": extracted.version, "path": extracted.path, "ros": extracted.ros}
-    return Package(**head, **msgspec.structs.asdict(hub))  # type: ignore[arg-type]
-
-
-def unread_in(rows: Iterable[NotRead]) -> tuple[Unread, ...]:
-    """Return what a document says was not read."""
-    return tuple(msgspec.convert(each, Unread, from_attributes=True) for each in rows)
+    return Package(**head, **msgspec.structs.asdict(hub), unread=unread)  # type: ignore[arg-type]
 
 
 def stored_side(stored: Stored) -> Side:

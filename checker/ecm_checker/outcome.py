@@ -11,6 +11,7 @@ from typing import Final, Literal
 import msgspec
 
 from ecm_checker.finding import SEVERITIES, Dimension, Finding
+from ecm_checker.wire import NotRead
 
 Outcome = Literal["accept", "accept_with_conditions", "reject", "review"]
 
@@ -30,6 +31,7 @@ class Report(msgspec.Struct, frozen=True, kw_only=True):
         not_asked: sub-checks that nothing could be asked of, as their profile was not given, and requirements that
             could not be matched.
         checker: content hash of the rules that decided.
+        unread: what could declare interfaces of the subjects and could not be read: no outcome is milder than review.
     """
 
     schema: str = REPORT_SCHEMA
@@ -40,6 +42,7 @@ class Report(msgspec.Struct, frozen=True, kw_only=True):
     dimensions: tuple[Dimension, ...]
     not_asked: tuple[str, ...]
     checker: str
+    unread: tuple[NotRead, ...] = ()
 
 
 def decide(findings: Iterable[Finding]) -> Outcome:
@@ -49,6 +52,14 @@ def decide(findings: Iterable[Finding]) -> Outcome:
     condition; an information changes nothing.
     """
     return worst(map(_asked_by, findings))
+
+
+def decided(report: Report, findings: Iterable[Finding]) -> Report:
+    """The report with other findings: of what was not read as a whole nothing is accepted."""
+    listed = ordered(findings)
+    outcome = worst((decide(listed), *(["review"] if report.unread else ())))
+    kept = conditions(listed) if outcome == "accept_with_conditions" else ()
+    return msgspec.structs.replace(report, findings=listed, outcome=outcome, conditions=kept)
 
 
 def worst(outcomes: Iterable[Outcome]) -> Outcome:

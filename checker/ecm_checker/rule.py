@@ -43,10 +43,12 @@ class Rule(AnyRule, frozen=True, kw_only=True):
     Attributes:
         part_of: sub-checks of the paper's operators that it belongs to.
         tier: simplest baseline that has this rule too; None for our own.
+        by_absence: whether it says that something is not there, which may stand in what could not be read.
     """
 
     part_of: tuple[SubCheck, ...]
     tier: Tier | None = None
+    by_absence: bool = False
 
     def finding(
         self,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ecm_checker.finding import Finding
 
     from ecm_extract.report.places import Places
+    from ecm_extract.tree import Unread
 
 INCOMPLETE: Final = 2
 """Status of a result without findings of an input that could not be read as a whole: no change of code mends it."""
@@ -77,3 +78,14 @@ def write_outputs(entries: Sequence[str], formats: Sequence[str], rendered: Call
         except OSError as error:
             message = f"{name} cannot be written: {error.strerror}"
             raise InputError(message, "name a file in a folder that is there") from None
+
+
+def tell_unread(unread: Iterable[Unread]) -> int:
+    """Say what could not be read of a tree, and return the status: its contracts lack what nobody can see in them."""
+    from ecm_extract.report.unread_text import unread_lines
+    from ecm_extract.tree.unread import is_gap
+
+    gaps = [each for each in unread if is_gap(each)]
+    for line in unread_lines(gaps):
+        click.echo(f"not read: {line}", err=True)
+    return INCOMPLETE if gaps else 0

@@ -10,7 +10,7 @@ from typing import Final
 import msgspec
 from ecm_checker.contract import Contract
 
-from ecm_extract.check_inputs import launched_contracts, subject
+from ecm_extract.check_inputs import launched_contracts, whole_subject
 from ecm_extract.errors import InputError
 from ecm_extract.observe.model import Observation
 
@@ -74,9 +74,9 @@ def promised_contracts(given: Promised) -> tuple[Contract, ...]:
     if given.launch and given.workspace is None:
         message = "--launch names a file of a workspace"
         raise InputError(message, "add --workspace DIR")
-    found = [each for path in given.paths for each in subject(path, given.cache).contracts]
+    found = [each for path in given.paths for each in whole_subject(path, given.cache).contracts]
     if given.workspace is not None:
-        read = subject(given.workspace, given.cache).contracts
+        read = whole_subject(given.workspace, given.cache).contracts
         found += _launched(given, read) if given.launch else read
     return tuple(found)
 

@@ -29,7 +29,8 @@ from ecm_extract.registry.doubts import Doubt, doubts_of, unread_of
 from ecm_extract.registry.impact_side import Side
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.users import Line, StoredConsumer, User, consumers_of
-from ecm_extract.stored import Stored, stored_side, unread_in
+from ecm_extract.stored import Stored, stored_side
+from ecm_extract.tree.unread import unread_in
 
 SCHEMA: Final = "ecm-extract/impact/1"
 

@@ -7,6 +7,8 @@ from lxml.html import builder as tag
 
 from ecm_extract.report.findings.html import findings_parts
 from ecm_extract.report.html_page import chip, page, words
+from ecm_extract.report.unread_text import unread_lines
+from ecm_extract.tree.unread import unread_in
 
 
 def report_html(report: Report) -> str:
@@ -19,5 +21,6 @@ def report_html(report: Report) -> str:
         tag.H1(words(title), " ", chip(report.outcome)),
         *([tag.H2("Conditions"), tag.UL(*conditions)] if conditions else ()),
         tag.P(tag.CLASS("note"), words(" ".join([asked, *(f"Not asked: {text}." for text in report.not_asked)]))),
+        *(tag.P(words(f"Not read: {text}.")) for text in unread_lines(unread_in(report.unread))),
         *findings_parts(report.findings),
     )

@@ -10,6 +10,8 @@ from ecm_checker.outcome import Report
 
 from ecm_extract.report.findings.data import finding_data
 from ecm_extract.report.terminal import one_line
+from ecm_extract.report.unread_text import unread_lines
+from ecm_extract.tree.unread import unread_in
 
 _WIDEST = 2000
 
@@ -28,6 +30,7 @@ def summary_text(report: Report) -> str:
     lines = [f"{report.operation}: {report.outcome.replace('_', ' ')}"]
     lines += [f"  condition: {one_line(text, _WIDEST)}" for text in report.conditions]
     lines += [f"  not asked: {text}" for text in report.not_asked]
+    lines += [f"  not read: {text}" for text in unread_lines(unread_in(report.unread))]
     pinned = "pinned" if frozen.holds else "not the pinned one"
     lines.append(f"  dimensions: {', '.join(report.dimensions)}; checker {frozen.current[:12]} ({pinned})")
     return "".join(f"{line}\n" for line in lines)

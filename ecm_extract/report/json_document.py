@@ -11,6 +11,7 @@ from ecm_checker.json_data import json_data, record_data
 from ecm_checker.wire import EXTRACT_SCHEMA, Origin
 
 from ecm_extract.extraction_model import Extraction, PackageContracts
+from ecm_extract.package_paths import concerns, owner_of
 
 DOCUMENT_NAME: Final = "extract.json"
 """How the document is called in a folder."""
@@ -50,29 +51,15 @@ def package_document(extraction: Extraction, package: PackageContracts) -> bytes
     by_package = _by_package(extraction)
     held = [*by_package.get(None, []), *by_package.get(package.path, [])]
     source = record_data(Origin(extraction.path, extraction.commit))
-    unread = [json_data(each) for each in extraction.unread if _concerns(each.path, package, extraction)]
+    paths = {each.path for each in extraction.packages}
+    unread = [json_data(each) for each in extraction.unread if concerns(each.path, package.path, paths)]
     whole = {"schema": PACKAGE_SCHEMA, "source": source, **_package(package, held), "unread": unread}
     return msgspec.json.encode(whole, order="deterministic") + b"\n"
-
-
-def _concerns(path: str, package: PackageContracts, extraction: Extraction) -> bool:
-    """Whether something lies in a package, or in none of them, so that it may be of any."""
-    owner = _owner(path, {each.path for each in extraction.packages})
-    return owner in {None, package.path}
 
 
 def _by_package(extraction: Extraction) -> dict[str | None, list[dict[str, Any]]]:
     paths = {package.path for package in extraction.packages}
     held: dict[str | None, list[dict[str, Any]]] = {}
     for diagnostic in extraction.diagnostics:
-        held.setdefault(_owner(diagnostic.path, paths), []).append(record_data(diagnostic))
+        held.setdefault(owner_of(diagnostic.path, paths), []).append(record_data(diagnostic))
     return held
-
-
-def _owner(path: str, paths: set[str]) -> str | None:
-    folder = path
-    while folder:
-        folder = folder.rpartition("/")[0]
-        if folder in paths:
-            return folder
-    return "." if "." in paths else None

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
 import msgspec
+import networkx as nx
 from ecm_checker.hub.package import Package
+from ecm_checker.wire import NotRead
 
 from ecm_extract.collector import without_collector
 from ecm_extract.description.model import Description
 from ecm_extract.errors import InputError
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import LocatedDiagnostic, Options
-from ecm_extract.stored import Stored, package_of
+from ecm_extract.stored import Stored, packages_of
 from ecm_extract.system.controllers import Controller, controllers_of
 from ecm_extract.system.evaluate import launched
 from ecm_extract.system.files import TREE, Files
@@ -40,6 +42,7 @@ class System:
         robots: descriptions in use. frames: transforms that are published.
         unknown: what runs beside nodes, or in them, and may have endpoints that nothing tells.
         diagnostics: of the packages, then of the launch, each once.
+        unread: what was not read of the packages that run, and of what they need of others.
     """
 
     tree: Tree
@@ -50,6 +53,7 @@ class System:
     frames: list[FrameEdge]
     unknown: frozenset[str] = frozenset()
     diagnostics: tuple[LocatedDiagnostic, ...] = ()
+    unread: tuple[NotRead, ...] = ()
 
 
 _CUT: Final = "launch-too-long"
@@ -85,8 +89,8 @@ def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Opti
         LaunchError: a launch file is not in the tree, or is none.
     """
     extraction = extract(tree, msgspec.structs.replace(options, hub=True))
-    packages = tuple(package_of(each) for each in extraction.packages)
-    return _system(tree, _Known(packages, extraction.diagnostics), launches, given)
+    known = _Known(packages_of(extraction), extraction.diagnostics)
+    return _system(tree, known, launches, given)
 
 
 def stored_system(stored: Stored, launches: Sequence[str], given: Given) -> System:
@@ -121,10 +125,21 @@ def _system(tree: Tree, known: _Known, launches: Sequence[str], given: Given) ->
         paths = [_path(entry, files) for entry in launches]
         system = evaluated_system(tree, files, index, paths, given)
         told = [_located(entry) for entry in tree.diagnostics if entry not in before]
-        system = replace(system, diagnostics=tuple(dict.fromkeys((*known.diagnostics, *told))))
+        diagnostics = tuple(dict.fromkeys((*known.diagnostics, *told)))
+        system = replace(system, diagnostics=diagnostics, unread=tuple(_unread(system, known.packages)))
         system.launched.is_complete &= not any(entry.code == NOT_KEPT for entry in told)
         _refuse_unread(system, paths)
         return system
+
+
+def _unread(system: System, packages: Sequence[Package]) -> Iterator[NotRead]:
+    """What was not read of packages whose nodes run, and of those that they need, each once."""
+    by_name = {each.name: each for each in packages}
+    needs = nx.DiGraph((each.name, wanted.package) for each in packages for wanted in each.requires if wanted.package)
+    running = {node.instance.package for node in system.nodes} & by_name.keys()
+    needed = {name for each in running & needs.nodes for name in nx.descendants(needs, each)}
+    held = (by_name[name] for name in sorted(running | needed & by_name.keys()))
+    return iter(dict.fromkeys(gap for package in held for gap in package.gaps))
 
 
 def _located(entry: FileDiagnostic) -> LocatedDiagnostic:

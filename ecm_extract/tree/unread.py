@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Final, Literal, get_args
 
 import msgspec
-from ecm_checker.wire import GAP_REASONS
+from ecm_checker.wire import GAP_REASONS, NotRead
 
 from ecm_extract.source_suffixes import CPP
 
@@ -66,3 +67,13 @@ def can_declare(path: str) -> bool:
 def is_gap(unread: Unread) -> bool:
     """Whether a result of this tree alone says less than the whole because of it."""
     return unread.carries and unread.reason in GAP_REASONS
+
+
+def not_read(rows: Iterable[Unread]) -> tuple[NotRead, ...]:
+    """Return what was not read of a tree as documents say it."""
+    return tuple(msgspec.convert(each, NotRead, from_attributes=True) for each in rows)
+
+
+def unread_in(rows: Iterable[NotRead]) -> tuple[Unread, ...]:
+    """Return what a document says was not read."""
+    return tuple(msgspec.convert(each, Unread, from_attributes=True) for each in rows)

@@ -22,6 +22,7 @@ RULE = Rule(
     severity="warning",
     who="safety",
     part_of=("ResJointSat", "GlobalSafe"),
+    by_absence=True,
     consequence="the robot follows whichever message came last and jerks between the two",
     resolution="give each its own topic and put a multiplexer before the base, or run only one of them",
 )

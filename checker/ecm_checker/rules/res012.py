@@ -22,6 +22,7 @@ RULE = Rule(
     severity="warning",
     who="safety",
     part_of=("ResJointSat",),
+    by_absence=True,
     consequence="what was taken stays taken: whoever asks for it next is refused until a restart",
     resolution="give it back where the work ends",
 )

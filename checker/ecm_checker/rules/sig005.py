@@ -16,6 +16,7 @@ RULE = Rule(
     severity="warning",
     who="graph",
     part_of=("SigMatch",),
+    by_absence=True,
     consequence="the two never connect; the subscriber waits for ever",
     resolution="use one name on both sides, or remap it in the launch file",
 )

@@ -21,6 +21,7 @@ RULE = Rule(
     severity="error",
     who="safety",
     part_of=("SigMatch", "InputSat"),
+    by_absence=True,
     consequence="the robot moves to the right numbers in the wrong place, or drops the data for want of a transform",
     resolution="register a transform between the frames, or convert the data before it is handed over",
 )

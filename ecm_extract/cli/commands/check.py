@@ -13,6 +13,7 @@ import msgspec
 
 from ecm_extract.cli.outputs import (
     FINDING_FORMATS,
+    INCOMPLETE,
     echo_report,
     findings_as,
     refuse_statistics_as,
@@ -124,6 +125,8 @@ def command(ctx: click.Context, /, **options: Any) -> None:
         ctx.exit(WRONG_INPUT)
     if _fails(report, request.fail_on):
         ctx.exit(1)
+    if report.unread:
+        ctx.exit(INCOMPLETE)
 
 
 def _request(options: dict[str, Any]) -> Request:
@@ -203,7 +206,7 @@ def _content(tree: Tree, path: str) -> bytes | None:
 
 def _answered(report: Report, request: Request) -> tuple[Report, Answered]:
     """Decide anew without what a person has answered."""
-    from ecm_checker.outcome import conditions, decide
+    from ecm_checker.outcome import decided
 
     from ecm_extract.answers.accepted_file import accepted_file, accepted_in
     from ecm_extract.answers.answered import Answers, answered
@@ -216,9 +219,7 @@ def _answered(report: Report, request: Request) -> tuple[Report, Answered]:
     tree = _source_tree(request)
     read = partial(_content, tree) if tree is not None else lambda _path: None
     found = answered(report.findings, Answers(accepted_in(file), read, today))
-    outcome = decide(found.findings)
-    listed = conditions(found.findings) if outcome == "accept_with_conditions" else ()
-    return msgspec.structs.replace(report, findings=found.findings, outcome=outcome, conditions=listed), found
+    return decided(report, found.findings), found
 
 
 def _near(request: Request) -> Path:

@@ -12,7 +12,7 @@ import click
 import msgspec
 
 from ecm_extract.cli.completions import refs
-from ecm_extract.cli.outputs import INCOMPLETE
+from ecm_extract.cli.outputs import tell_unread
 from ecm_extract.cli.overlays import tell_overlay_problems
 from ecm_extract.errors import InputError
 
@@ -82,19 +82,8 @@ def command(**options: Any) -> int:
         _print_documents(extraction, request)
     else:
         _write_documents(extraction, request)
-    incomplete = _status(extraction)
+    incomplete = tell_unread(extraction.unread)
     return tell_overlay_problems(extraction.diagnostics) or incomplete
-
-
-def _status(extraction: Extraction) -> int:
-    """Contracts of a tree that could not be read as a whole lack what nobody can see in them."""
-    from ecm_extract.report.unread_text import unread_lines
-    from ecm_extract.tree.unread import is_gap
-
-    gaps = [each for each in extraction.unread if is_gap(each)]
-    for line in unread_lines(gaps):
-        click.echo(f"not read: {line}", err=True)
-    return INCOMPLETE if gaps else 0
 
 
 def _refuse_contradictions(request: Request) -> None:

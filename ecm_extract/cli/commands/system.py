@@ -10,6 +10,7 @@ import click
 import msgspec
 
 from ecm_extract.cli.completions import refs
+from ecm_extract.cli.outputs import tell_unread
 
 if TYPE_CHECKING:
     from ecm_extract.system.system import System
@@ -63,15 +64,19 @@ def command(**options: Any) -> int:
 
     DOCUMENT is an extract document, that of a package, or a folder of these: then no source is read.
 
-    The exit status is 1 when a launch file is malformed or too large, so that a part of what it starts is left out.
+    The exit status is 1 when a launch file is malformed or too large, so that a part of what it starts is left out,
+    and 2 when not all of the packages that run could be read.
     """
     request = Request(**options)
+    from ecm_extract.tree.unread import unread_in
+
     system = _read(request)
     sys.stdout.write(_renderer(request.format)(system))
     sys.stdout.flush()
     if not system.launched.is_complete:
         click.echo("incomplete: a part of the launch was left out; the text and JSON formats say what", err=True)
-    return 0 if system.launched.is_complete else 1
+        return 1
+    return tell_unread(unread_in(system.unread))
 
 
 def _read(request: Request) -> System:

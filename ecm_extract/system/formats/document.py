@@ -41,6 +41,7 @@ def document(system: System) -> dict[str, Any]:
         ],
         "robots": [_robot(robot) for robot in system.robots],
         "controllers": [_controller(controller) for controller in system.controllers],
+        "unread": [msgspec.to_builtins(entry) for entry in system.unread],
         "diagnostics": [msgspec.to_builtins(entry) for entry in system.diagnostics],
     }
 
