@@ -45,7 +45,9 @@ class NodesHanded:
             yield from self.sites.callers(func)
         elif func.cls is not None:
             made = (call for call in self.sites.makers(func.cls) if self._chooses(call, func, func.cls))
-            yield from (call for call in made if this in (None, func.cls) or self.sites.making.is_base_of(call, func.cls))
+            yield from (
+                call for call in made if this in (None, func.cls) or self.sites.making.is_base_of(call, func.cls)
+            )
 
     def _chooses(self, call: Invocation, func: Func, cls: Cls) -> bool:
         return self.sites.folder.objects.constructor(cls, call) is func
