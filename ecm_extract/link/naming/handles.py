@@ -18,8 +18,8 @@ from ecm_extract.link.naming.carriers import carriers
 from ecm_extract.link.naming.given_handles import given_namespace
 from ecm_extract.link.naming.handle import OWN, Handle, agreed, of_any, under
 from ecm_extract.link.naming.host_arguments import HostArguments
-from ecm_extract.link.naming.nodes_handed import NodesHanded, several
 from ecm_extract.link.naming.new_nodes import NewNodes
+from ecm_extract.link.naming.nodes_handed import NodesHanded, several
 from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, invocation_of
