@@ -11,10 +11,11 @@ from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import by_value, is_pointer, last_name, plain, pointee
 from ecm_extract.link.code.texts import is_text
-from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.naming.begun_handles import begun_handle
 from ecm_extract.link.naming.carriers import carriers
+from ecm_extract.link.naming.derived_handles import base_handles, derives_from_handle
 from ecm_extract.link.naming.given_handles import given_namespace
 from ecm_extract.link.naming.handle import OWN, Handle, agreed, of_any, under
 from ecm_extract.link.naming.host_arguments import HostArguments
@@ -22,7 +23,7 @@ from ecm_extract.link.naming.new_nodes import NewNodes
 from ecm_extract.link.naming.nodes_handed import NodesHanded, several
 from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.running.arguments import bind
-from ecm_extract.link.running.env import Bound, Env, invocation_of
+from ecm_extract.link.running.env import Bound, Env, Instance, invocation_of
 from ecm_extract.link.running.values import Value, is_known, literal, unknown
 
 MAX_DEPTH = 12
@@ -82,12 +83,12 @@ class Handles:
 
     def _known(self, expr: Expr | None, env: Env, depth: int) -> Handle | None:
         if expr is None or expr == THIS:
-            return OWN
+            return self._derived(env.this or env.func.cls, env.made, depth)
         if depth > MAX_DEPTH:
             return None
         if isinstance(expr, Call):
             known = self._call(invocation_of(expr, env), env, depth)
-            return known or self.new.of_class(expr, env) or self._of_other(expr, env)
+            return known or self._made(expr, env, depth) or self._of_other(expr, env)
         if isinstance(expr, Op) and expr.op in {"&", "?:", "[]"}:  # one of several elements nobody tells apart
             chosen = () if expr.op == "[]" else expr.operands[expr.op == "?:" :]
             return agreed([self._known(each, env, depth + 1) for each in chosen])
@@ -96,6 +97,21 @@ class Handles:
         if isinstance(expr, Items) and env.func.file.language == "cpp":  # braces make the handle that is asked for
             return self._node_handle(expr.items, env, depth)
         return self._member(expr, env, depth) if isinstance(expr, Member) else OWN
+
+    def _derived(self, cls: Cls | None, made: Instance | None, depth: int) -> Handle:
+        """What an object is as a handle: that of the node, unless its class derives from one that is made otherwise."""
+        if cls is None or not derives_from_handle(cls, self.folder.program):
+            return OWN
+        given = list(base_handles(cls, made, self.folder.objects))
+        found = [self._node_handle(args, env, depth + 1) for args, env in given]
+        return (agreed(found) or Handle(unknown("handle"))) if found else OWN
+
+    def _made(self, expr: Call, env: Env, depth: int) -> Handle | None:
+        """The node, or the handle, that an object of a class of the tree is which a call makes."""
+        made = self.new.made(expr, env)
+        if made is not None and derives_from_handle(made.cls, self.folder.program):
+            return self._derived(made.cls, made, depth)
+        return self.new.of_object(made) if made is not None else None
 
     def _of_other(self, expr: Call, env: Env) -> Handle | None:
         """What makes something else than a handle, as a duration that stands in its place, has no namespace."""
@@ -178,6 +194,9 @@ class Handles:
                 if parameter.name == expr.id and self._is_handle(parameter.type, env):
                     return self._handed(expr.id, env)
         written = self.folder.objects.type_of(expr, env)
+        cls = self._class_of(written, env) if by_value(written) else None
+        if cls is not None:
+            return self._derived(cls, None, depth)
         begun = self._begun(expr, env)
         if begun is not None:
             return self._known(begun, env, depth + 1)
@@ -213,7 +232,13 @@ class Handles:
     def _is_handle(self, written: str, env: Env) -> bool:
         bare = plain(pointee(written))
         meant = self.folder.program.alias(bare, env.func.file, env.scope) or bare
-        return last_name(plain(pointee(meant))).removesuffix("Ptr") in {"NodeHandle", *carriers()}
+        named = last_name(plain(pointee(meant))).removesuffix("Ptr") in {"NodeHandle", *carriers()}
+        return named or self._class_of(written, env) is not None
+
+    def _class_of(self, written: str, env: Env) -> Cls | None:
+        """The class of the tree that a type means, where its objects are handles."""
+        cls = self.folder.program.class_named(plain(pointee(written)), env.func.file, env.scope) if written else None
+        return cls if cls is not None and derives_from_handle(cls, self.folder.program) else None
 
     def _is_text(self, expr: Expr, env: Env) -> bool:
         return is_known(self.folder.fold(expr, env)[0])

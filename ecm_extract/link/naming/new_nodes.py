@@ -59,11 +59,14 @@ class NewNodes:
         found = found or self.folder.fold(space, env)
         return Handle(literal(""), under(found[0] if len(found) == 1 else unknown("namespace"), named))
 
-    def of_class(self, expr: Call, env: Env) -> Handle | None:
-        """Return the object of a class of the tree which a call of C++ makes: `std::make_shared<Demo>()`."""
+    def made(self, expr: Call, env: Env) -> Instance | None:
+        """Return the object of a class of the tree that a call of C++ makes; None of one that makes none."""
         begun = self.folder.states.constructor(expr, env) if env.func.file.language == "cpp" else None
-        made = self.folder.objects.delegated(begun.made) if begun is not None and begun.made is not None else None
-        name = self.names(made) if made is not None else None
+        return self.folder.objects.delegated(begun.made) if begun is not None and begun.made is not None else None
+
+    def of_object(self, made: Instance) -> Handle | None:
+        """Return the node that an object is; None where that is not known."""
+        name = self.names(made)
         return Handle(literal(""), literal(name)) if name is not None else None
 
     def _is_namespace(self, expr: Expr, env: Env) -> bool:
