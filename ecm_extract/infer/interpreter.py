@@ -27,6 +27,7 @@ from ecm_extract.infer.held import Held, State, either, joined_states
 from ecm_extract.infer.judge import Judge
 from ecm_extract.infer.looping import Looping
 from ecm_extract.infer.memory import Memory
+from ecm_extract.infer.places import is_kept_value
 from ecm_extract.infer.raising import asks_what_raises
 from ecm_extract.infer.raising_statements import RaisingStatements
 from ecm_extract.infer.read_into import ReadInto
@@ -110,7 +111,8 @@ class Interpreter:
         own = (step for step in places if isinstance(step, int) and step >= 0 and step not in self._beyond)
         steps = (self.frame.body[step] for step in own)
         lets = (entry for entry in steps if entry.kind in {"let", "each"})
-        for key in {key for entry in lets for key in self.frame.outline.bound_keys(entry.target)}:
+        bound = {key for entry in lets for key in self.frame.outline.bound_keys(entry.target)}
+        for key in (key for key in bound if not is_kept_value(key)):
             state = self.memory.again(key, before, state)
         return state
 

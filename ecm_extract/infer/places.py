@@ -53,7 +53,7 @@ def key_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> s
         member: tells whether a name that is not the function's own is a member of `this`.
     """
     if isinstance(expr, Name):
-        if expr.id in own or "::" in expr.id or expr.id.startswith("#") or not member(expr.id):
+        if expr.id in own or "::" in expr.id or is_kept_value(expr.id) or not member(expr.id):
             return expr.id if expr != THIS else ""
         return "" if expr == THIS else f".{expr.id}"
     if isinstance(expr, Member):
@@ -126,3 +126,8 @@ def _field_of(whole: Expr, names: Sequence[str]) -> Expr:
     for name in names:
         whole = Member(whole, name)
     return whole
+
+
+def is_kept_value(key: str) -> bool:
+    """Tell whether a variable is none of the code's, but what an expression got of one that it changed: `i--`."""
+    return key.startswith("#")

@@ -53,6 +53,8 @@ from ecm_extract.link.naming.names import (
     without_empty_default,
 )
 from ecm_extract.link.naming.node_names import NodeName, NodeNames
+from ecm_extract.link.naming.nodes_handed import NodesHanded
+from ecm_extract.link.naming.nodes_of_programs import NodesOfPrograms
 from ecm_extract.link.naming.plugin_names import Names, with_own_names
 from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.naming.values_given import ValuesGiven
@@ -123,7 +125,7 @@ class Linker:
         self.folder.prefixes = self.handles.prefix
         self.typing = EndpointTypes(self.folder, self.types, packages)
         self.names = NodeNames(self.folder, self.sites, registry.classes)
-        self.handles.names = self.names.of_object
+        self.handles.new.names = self.names.of_object
         self.given = ValuesGiven(self.names)
         self.generated = GeneratedParameters(self.sites, packages)
         self.parameter_sites: list[Site] = []
@@ -134,6 +136,7 @@ class Linker:
         self.conditions = EndpointConditions(self.sites, self.modules)
         self.needed = Needed(self.sites, self.modules)
         self.open_declarations = OpenDeclarations()
+        self.program_nodes = NodesOfPrograms(self.names, self.modules)
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[Module, list[Diagnosis]] = defaultdict(list)
@@ -238,17 +241,26 @@ class Linker:
             return nodes.get(module.cls)
         return self.names.of_program(module.main) if module.main is not None else None
 
+    def _around(self, module: Module, nodes: Mapping[Cls, NodeName]) -> str | None:
+        """The name of the node below which a module has what stands below no other one."""
+        if module.main is not None:
+            return self.program_nodes.of(module)
+        node = self._node(module, nodes)
+        return node.in_graph if node is not None else None
+
     # --- endpoints ---------------------------------------------------------------------------------------
 
     def _attribute(self, site: Site, found: dict[Module, list[Interface]], nodes: Mapping[Cls, NodeName]) -> None:
         for unit in units_of(site, self.sites, self.modules):
             for module in self.ownership.owners(unit, site):
-                node = self._node(module, nodes)
-                self._give(site, unit, module, found[module], node.in_graph if node is not None else None)
+                self._give(site, unit, module, found[module], self._around(module, nodes))
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
-        for interface, local in self._interfaces(site, node, origin):
+        handles = self.handles.within(NodesHanded(self.sites, self.modules, module))
+        given = handle_argument(site.form, site.call)
+        handle = handles.of(given, site.env, only=bool(site.form.fixed and site.form.node))
+        for interface, local in self._interfaces(site, handle, node, origin):
             found.append(interface)
             self.conditions.note(module, site, interface)
             self.open_declarations.note(module, site, interface)
@@ -258,10 +270,11 @@ class Linker:
                 for maker in {unit, site.call.func.holder or site.call.func}:
                     self._servers[module, maker].append(Placed(interface, local, next(iter(site.call.types), "")))
 
-    def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, LocalName]]:
-        given = handle_argument(site.form, site.call)
-        for handle in self.handles.of(given, site.env, only=bool(site.form.fixed and site.form.node)).each():
-            yield from self._below(self.conditions.below(handle, site), site, node, origin)
+    def _interfaces(
+        self, site: Site, handle: Handle, node: str | None, origin: str | None
+    ) -> Iterator[tuple[Interface, LocalName]]:
+        for each in handle.each():
+            yield from self._below(self.conditions.below(each, site), site, node, origin)
 
     def _below(
         self, handle: Handle, site: Site, node: str | None, origin: str | None
@@ -284,7 +297,7 @@ class Linker:
             confidence = known_beside(value) if is_below_node(value) else value.confidence
             if not site.certain or (is_choice and named.confidence == "pattern"):
                 confidence = weaker(confidence, "one_of")  # the name of the node settles a text, no choice
-            if is_below_handle(value):
+            if is_below_handle(value, handle):
                 confidence = weaker(confidence, handle.surely)
             if (value.text == "" and not site.form.row.value) or "{" in name.resolved:
                 confidence = "pattern"  # a name that has no text, or a handle of which not all is known

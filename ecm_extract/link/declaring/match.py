@@ -113,7 +113,16 @@ class Matcher:
             if alias is None:
                 break
             target = plain(pointee(alias))
-        return any(_is_of(target, entry) for entry in form.receiver)
+        return any(_is_of(target, entry) for entry in form.receiver) or self._is_derived(form, call, target, env)
+
+    def _is_derived(self, form: Form, call: Invocation, target: str, env: Env) -> bool:
+        """Whether the object is of a class of the tree that derives from one of the row, and has no such method."""
+        cls = self.folder.program.class_named(target, call.func.file, env.scope)
+        lineage = self.folder.program.ancestry(cls) if cls is not None else ()
+        bases = [plain(base) for entry in lineage for base in entry.fact.bases]
+        if not any(_is_of(base, entry) for base in bases for entry in form.receiver):
+            return False
+        return not any(method.fact.name == call.last for entry in lineage for method in entry.methods)
 
     def _derives(self, form: Form, call: Invocation) -> bool:
         """Whether the class of the object at hand derives from one of the row, and has no such method itself."""

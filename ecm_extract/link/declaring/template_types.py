@@ -55,7 +55,9 @@ class TemplateTypes:
         return "" if found in env.func.fact.template else found
 
     def _named(self, template: Sequence[str], call: Invocation, env: Env) -> dict[str, str]:
-        return {name: self.meant(written, env) for name, written in zip(template, call.types, strict=False)}
+        """What a call names; a pack that is given several types is none of them alone ([temp.variadic])."""
+        single = template[:-1] if len(call.types) > len(template) else template
+        return {name: self.meant(written, env) for name, written in zip(single, call.types, strict=False)}
 
     def _shown(self, func: Func, call: Invocation, env: Env) -> Iterator[tuple[str, str]]:
         """What the arguments that the call itself gives show of the template parameters."""

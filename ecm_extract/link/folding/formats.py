@@ -71,9 +71,14 @@ def formatted(call: Invocation) -> list[Expr | str] | None:
     printed = args[0] if call.path == "boost::str" and len(args) == 1 else receiver if call.last == "str" else None
     if isinstance(printed, Op) and printed.op == "%":
         return _of_boost(printed)
-    if call.last == "concat" or call.path == "absl::StrCat":
-        return list(args)
-    return None
+    if call.path == "absl::StrCat":
+        return [_as_streamed(each) for each in args]
+    return list(args) if call.last == "concat" else None
+
+
+def _as_streamed(value: Expr) -> Expr:
+    """Return the text that a stream of C++ makes of a value: `1` of what is true, `2` of `2.0`."""
+    return Op("+", (Text(""), Text(""), value))
 
 
 def percent(text: str, operand: Expr) -> list[Expr | str]:
@@ -108,7 +113,7 @@ def _of_boost(printed: Expr) -> list[Expr | str] | None:
     known = [values[int(at) - 1] if 0 < int(at) <= len(values) else Name("value") for at in pieces[1::2]]
     found: list[Expr | str] = [*pieces[:1]]
     for value, rest in zip(known, pieces[2::2], strict=True):
-        found += [value, rest]
+        found += [_as_streamed(value), rest]
     return found if not any("%" in each for each in pieces[::2]) else [Name("value")]
 
 

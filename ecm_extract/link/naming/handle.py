@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ecm_checker.contract import Confidence
 
-from ecm_extract.link.running.values import Value, is_proved, joined, literal, unique
+from ecm_extract.link.running.values import Value, is_proved, joined, literal, unique, weaker
 
 
 class Handle(NamedTuple):
@@ -16,12 +16,12 @@ class Handle(NamedTuple):
     Attributes:
         prefix: put before relative names; starts with `~` for a private handle, empty for the node itself.
         node: name of a node made on the spot, to which `~` then belongs; None for the module's own node.
-        others: the prefixes of which it may be any as well.
+        others: what it may be as well.
     """
 
     prefix: Value
     node: Value | None = None
-    others: tuple[Value, ...] = ()
+    others: tuple[Handle, ...] = ()
 
     @property
     def surely(self) -> Confidence:
@@ -30,8 +30,12 @@ class Handle(NamedTuple):
         return "literal" if proved else self.prefix.confidence
 
     def each(self) -> tuple[Handle, ...]:
-        """Return one handle for each prefix that it may have."""
-        return (self._replace(others=()), *(Handle(prefix, self.node) for prefix in self.others))
+        """Return each of what it may be."""
+        return (self._replace(others=()), *self.others)
+
+    def as_choice(self) -> Handle:
+        """Return the same as one of several."""
+        return self._replace(prefix=self.prefix._replace(confidence=weaker(self.prefix.confidence, "one_of")))
 
 
 OWN = Handle(literal(""))
@@ -40,7 +44,7 @@ OWN = Handle(literal(""))
 def of_any(prefixes: Sequence[Value], node: Value | None = None) -> Handle:
     """Return the handle that has one of several prefixes."""
     first, *others = unique(prefixes)
-    return Handle(first, node, tuple(others))
+    return Handle(first, node, tuple([Handle(each, node) for each in others]))
 
 
 def under(prefix: Value, name: Value) -> Value:

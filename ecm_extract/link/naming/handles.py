@@ -2,35 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from copy import copy
 from typing import Final
 
 from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
-from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import by_value, is_pointer, last_name, plain, pointee
 from ecm_extract.link.code.texts import is_text
-from ecm_extract.link.code.units import Func
-from ecm_extract.link.declaring.match import positions
+from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.naming.begun_handles import begun_handle
 from ecm_extract.link.naming.carriers import carriers
+from ecm_extract.link.naming.derived_handles import base_handles, derives_from_handle
 from ecm_extract.link.naming.given_handles import given_namespace
 from ecm_extract.link.naming.handle import OWN, Handle, agreed, of_any, under
 from ecm_extract.link.naming.host_arguments import HostArguments
-from ecm_extract.link.naming.node_settings import NodeSettings
+from ecm_extract.link.naming.new_nodes import NewNodes
+from ecm_extract.link.naming.nodes_handed import NodesHanded, several
 from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, Instance, invocation_of
-from ecm_extract.link.running.own_names import node_namespace
 from ecm_extract.link.running.values import Value, is_known, literal, unknown
 
 MAX_DEPTH = 12
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
 _PUBLIC = frozenset({"getNodeHandle", "getMTNodeHandle"})
 _NODES = frozenset({"Node", "LifecycleNode"})
-_NAMESPACES = frozenset({"get_fully_qualified_name", "get_namespace", "get_effective_namespace"})
 _CREATE: Final = "rclpy.create_node"
 _SAME = frozenset(
     {"dynamic_pointer_cast", "static_pointer_cast", "lock", "get", "shared_from_this", "move", "ref", "cref"}
@@ -39,13 +38,6 @@ _SAME = frozenset(
 _TEXTS: Final = ("string", "char")
 
 _REMAPPINGS: Final = frozenset({"M_string", "map"})
-NODE_NAME: Final = "arg:0|kw:node_name"
-NODE_SPACE: Final = "kw:namespace"
-"""Where a node of rclpy is given its name and its namespace."""
-
-
-def _no_name(_made: Instance) -> None:
-    """Before anybody knows what nodes are called."""
 
 
 class Handles:
@@ -61,9 +53,9 @@ class Handles:
         self.folder = folder
         self.hosts = hosts
         self.sole = sole
-        self.settings = NodeSettings(folder)
+        self.new = NewNodes(folder)
         self._handing: set[tuple[Func, str]] = set()
-        self.names: Callable[[Instance], str | None] = _no_name
+        self._callers: NodesHanded | None = None
 
     def of(self, expr: Expr | None, env: Env, only: bool = False) -> Handle:
         """Return the handle that an expression is; where `only` handles are taken, a text makes one of its namespace.
@@ -78,6 +70,12 @@ class Handles:
             return known
         return Handle(unknown(_label(expr))) if env.func.file.ros == 1 else OWN
 
+    def within(self, callers: NodesHanded) -> Handles:
+        """Return the same of one module: what parameters of its functions are, its own calls tell."""
+        view = copy(self)
+        view._callers = callers
+        return view
+
     def prefix(self, expr: Expr, env: Env) -> Value | None:
         """Return what a handle puts before names; None of one that is not known."""
         known = self._known(expr, env, 0)
@@ -85,12 +83,12 @@ class Handles:
 
     def _known(self, expr: Expr | None, env: Env, depth: int) -> Handle | None:
         if expr is None or expr == THIS:
-            return OWN
+            return self._derived(env.this or env.func.cls, env.made, depth)
         if depth > MAX_DEPTH:
             return None
         if isinstance(expr, Call):
             known = self._call(invocation_of(expr, env), env, depth)
-            return known or self._object(expr, env) or self._of_other(expr, env)
+            return known or self._made(expr, env, depth) or self._of_other(expr, env)
         if isinstance(expr, Op) and expr.op in {"&", "?:", "[]"}:  # one of several elements nobody tells apart
             chosen = () if expr.op == "[]" else expr.operands[expr.op == "?:" :]
             return agreed([self._known(each, env, depth + 1) for each in chosen])
@@ -100,12 +98,20 @@ class Handles:
             return self._node_handle(expr.items, env, depth)
         return self._member(expr, env, depth) if isinstance(expr, Member) else OWN
 
-    def _object(self, expr: Call, env: Env) -> Handle | None:
-        """The node that an object of a class of the tree is which a call of C++ makes: `std::make_shared<Demo>()`."""
-        begun = self.folder.states.constructor(expr, env) if env.func.file.language == "cpp" else None
-        made = self.folder.objects.delegated(begun.made) if begun is not None and begun.made is not None else None
-        name = self.names(made) if made is not None else None
-        return Handle(literal(""), literal(name)) if name is not None else None
+    def _derived(self, cls: Cls | None, made: Instance | None, depth: int) -> Handle:
+        """What an object is as a handle: that of the node, unless its class derives from one that is made otherwise."""
+        if cls is None or not derives_from_handle(cls, self.folder.program):
+            return OWN
+        given = list(base_handles(cls, made, self.folder.objects))
+        found = [self._node_handle(args, env, depth + 1) for args, env in given]
+        return (agreed(found) or Handle(unknown("handle"))) if found else OWN
+
+    def _made(self, expr: Call, env: Env, depth: int) -> Handle | None:
+        """The node, or the handle, that an object of a class of the tree is which a call makes."""
+        made = self.new.made(expr, env)
+        if made is not None and derives_from_handle(made.cls, self.folder.program):
+            return self._derived(made.cls, made, depth)
+        return self.new.of_object(made) if made is not None else None
 
     def _of_other(self, expr: Call, env: Env) -> Handle | None:
         """What makes something else than a handle, as a duration that stands in its place, has no namespace."""
@@ -171,7 +177,7 @@ class Handles:
         if last_name(plain(pointee(written))) in carriers() and isinstance(value, Call):
             return self._known(next(iter(_initialised_with(expr, value)), None), env, depth + 1)
         if by_value(written) and last_name(plain(written)) in _NODES and isinstance(value, Call) and value.args:
-            return self._new_node(value.args, env)
+            return self.new.of_cpp(value.args, env)
         if not by_value(written) or last_name(plain(written)) != "NodeHandle":
             return self._known(value, env, depth + 1)
         return self._node_handle(_initialised_with(expr, value), env, depth)
@@ -180,17 +186,34 @@ class Handles:
         """A parameter is its default; a handle that is held and never made otherwise is the node's, as is no handle."""
         if isinstance(expr, Name):
             for parameter in env.func.fact.params:
+                handed = self._by_callers(expr.id, env, depth) if parameter.name == expr.id else None
+                if handed is not None:
+                    return handed
                 if parameter.name == expr.id and parameter.default is not None:
                     return self._known(parameter.default, Env(env.func, 0), depth + 1)
                 if parameter.name == expr.id and self._is_handle(parameter.type, env):
                     return self._handed(expr.id, env)
         written = self.folder.objects.type_of(expr, env)
+        cls = self._class_of(written, env) if by_value(written) else None
+        if cls is not None:
+            return self._derived(cls, None, depth)
         begun = self._begun(expr, env)
         if begun is not None:
             return self._known(begun, env, depth + 1)
         if not written or plain(written) == "auto":
             return None if not self._is_text(expr, env) else OWN
         return OWN if by_value(written) or not self._is_handle(written, env) else None
+
+    def _by_callers(self, parameter: str, env: Env, depth: int) -> Handle | None:
+        """Any of the nodes that the module hands a function of ROS 2; None where it hands none that is known."""
+        given = self._callers.of(env.func, parameter, env.this) if self._callers is not None else ()
+        if not given or env.func.file.ros != 2 or (env.func, parameter) in self._handing:
+            return None
+        self._handing.add((env.func, parameter))
+        try:
+            return several([self._known(bound.expr, bound.env, depth + 1) for bound in given])
+        finally:
+            self._handing.discard((env.func, parameter))
 
     def _handed(self, parameter: str, env: Env) -> Handle | None:
         """What a library, or the hosts in the tree, give a method that they call without knowing its class."""
@@ -209,7 +232,13 @@ class Handles:
     def _is_handle(self, written: str, env: Env) -> bool:
         bare = plain(pointee(written))
         meant = self.folder.program.alias(bare, env.func.file, env.scope) or bare
-        return last_name(plain(pointee(meant))).removesuffix("Ptr") in {"NodeHandle", *carriers()}
+        named = last_name(plain(pointee(meant))).removesuffix("Ptr") in {"NodeHandle", *carriers()}
+        return named or self._class_of(written, env) is not None
+
+    def _class_of(self, written: str, env: Env) -> Cls | None:
+        """The class of the tree that a type means, where its objects are handles."""
+        cls = self.folder.program.class_named(plain(pointee(written)), env.func.file, env.scope) if written else None
+        return cls if cls is not None and derives_from_handle(cls, self.folder.program) else None
 
     def _is_text(self, expr: Expr, env: Env) -> bool:
         return is_known(self.folder.fold(expr, env)[0])
@@ -218,7 +247,7 @@ class Handles:
         call, env = self.folder.spreading.out(written, place)
         last = call.last
         if call.func.file.language == "python" and (last in _NODES or call.path == _CREATE) and call.receiver is None:
-            return self._python_node(call, env)
+            return self.new.of_python(call, env)
         if last in _PRIVATE | _PUBLIC and self.folder.objects.callee(call, env) is None:
             return Handle(literal("~")) if last in _PRIVATE else OWN
         if last == "NodeHandle" or _makes_handle(call):
@@ -226,7 +255,7 @@ class Handles:
         if last == "create_sub_node" and call.args:
             return self._nested(self._known(call.receiver, env, depth + 1) or OWN, call.args[0], env)
         if last in _NODES and call.args and (len(call.args) >= 2 or not isinstance(call.args[0], Name)):
-            return self._new_node(call.args, env)
+            return self.new.of_cpp(call.args, env)
         if last in carriers() and call.args:
             return self._known(call.args[0], env, depth + 1)
         if last in _SAME or (len(call.args) == 1 and _is_pointer(last)):
@@ -280,35 +309,6 @@ class Handles:
     def _nested(self, parent: Handle, name: Expr, env: Env) -> Handle:
         names = self.folder.fold(name, env)
         return of_any([under(one.prefix, each) for one in parent.each() for each in names], parent.node)
-
-    def _new_node(self, args: Sequence[Expr], env: Env) -> Handle:
-        settings = self.settings.of(args[1:], (), env)
-        name = settings.name or self.folder.fold(args[0], env)[0]
-        named = len(args) > 1 and self._is_namespace(args[1], env)
-        space = settings.space or (self.folder.fold(args[1], env)[0] if named else None)
-        if space is None:
-            return Handle(literal(""), name)
-        own = space.parts == node_namespace().parts  # that of the node which makes it
-        return Handle(literal(""), name if own else under(space, name))
-
-    def _python_node(self, call: Invocation, env: Env) -> Handle | None:
-        """A node of rclpy, whose namespace is a keyword; None of one without a name, which a class has of its own."""
-        name, space = next(positions(NODE_NAME, call), None), next(positions(NODE_SPACE, call), None)
-        if name is None:
-            return None
-        settings = self.settings.of((), call.keywords, env)
-        named = settings.name or self.folder.fold(name, env)[0]
-        found: tuple[Value, ...] = (settings.space,) if settings.space is not None else ()
-        if not found and (space is None or space == NULL):
-            return Handle(literal(""), named)
-        found = found or self.folder.fold(space, env)
-        return Handle(literal(""), under(found[0] if len(found) == 1 else unknown("namespace"), named))
-
-    def _is_namespace(self, expr: Expr, env: Env) -> bool:
-        """Tell whether the second argument of a node is text; its options are an object."""
-        if isinstance(expr, Call) and invocation_of(expr, env).last in _NAMESPACES:
-            return True
-        return "string" in self.folder.objects.type_of(expr, env) or self._is_text(expr, env)
 
 
 def _initialised_with(expr: Name | Member, value: Expr) -> tuple[Expr, ...]:

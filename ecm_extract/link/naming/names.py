@@ -96,9 +96,11 @@ def is_below_node(value: Value) -> bool:
     return isinstance(parts[1], str) and parts[1].startswith("/")
 
 
-def is_below_handle(value: Value) -> bool:
+def is_below_handle(value: Value, handle: Handle) -> bool:
     """Tell whether the handle that a name is given to decides where it is."""
-    return not value.text.startswith(("/", "~")) and not is_below_node(value)
+    if value.text.startswith("~"):
+        return handle.node is not None
+    return not value.text.startswith("/") and not is_below_node(value)
 
 
 def of_node(value: Value, node: str | None, ros: int | None) -> Value:

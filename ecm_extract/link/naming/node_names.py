@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -21,7 +21,7 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.library_functions import library_function
 from ecm_extract.link.index.module_kinds import is_node_base
 from ecm_extract.link.naming.anonymous import is_anonymous
-from ecm_extract.link.naming.handles import NODE_NAME, NODE_SPACE
+from ecm_extract.link.naming.new_nodes import NODE_NAME, NODE_SPACE
 from ecm_extract.link.naming.node_settings import NodeSettings, Settings, agreed
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, Instance
@@ -96,7 +96,7 @@ class NodeNames:
         found = self._passed_on(Instance(cls, {}, {}))
         if found is not None and not found.is_open:
             return self._renamed(found, cls) if found.settings is not None else found
-        made = self._makings(cls)
+        made = self._made_with(cls)
         given = _agreed(made)
         if given is not None and given.is_open and cls in self.registered:
             made, given = (), None  # who loads a component gives it nothing
@@ -106,7 +106,7 @@ class NodeNames:
 
     def _renamed(self, found: NodeName, cls: Cls) -> NodeName:
         """The name that a class states, or the one that all who make its node give it instead by their options."""
-        made = [name for name in self._makings(cls) if name is not None] if cls not in self.registered else []
+        made = [name for name in self._made_with(cls) if name is not None] if cls not in self.registered else []
         if all(name.full == found.full for name in made):
             return found
         return _agreed(made) or replace(found, text=_OPEN, space=_OPEN_SPACE)
@@ -132,7 +132,7 @@ class NodeNames:
             name = self.of_program(unit)
             return name.settings or Settings() if name is not None else Settings()
         classes = (unit, *self.folder.program.derived(unit)) if unit not in self.registered else ()
-        made = [name for cls in classes for name in self._makings(cls)]
+        made = [name for cls in classes for name in self._made_with(cls)]
         return agreed([name.settings or Settings() for name in made if name is not None] or [self.own_settings(unit)])
 
     def _by_default(self, cls: Cls) -> NodeName | None:
@@ -225,20 +225,23 @@ class NodeNames:
         written = self.folder.objects.type_of(expr, env)
         return "string" in written or is_known(self.folder.fold(expr, env)[0])
 
-    def _makings(self, cls: Cls) -> Sequence[NodeName | None]:
+    def _made_with(self, cls: Cls) -> Sequence[NodeName | None]:
+        return [name for _, name in self._makings(cls)]
+
+    def _makings(self, cls: Cls) -> Sequence[tuple[Func, NodeName | None]]:
         """The names that the places give a node which make it; none where its constructor is not known."""
-        found: list[NodeName | None] = []
+        found: list[tuple[Func, NodeName | None]] = []
         for call in self.sites.makers(cls):
             if call.func.cls is not cls:
                 constructor = self.folder.objects.constructor(cls, call)
                 if constructor is None and call.args and self._hands_on(cls):
-                    found += [] if self.sites.making.is_base_of(call, cls) else [self._given_to_base(call)]
+                    found += [] if self.sites.making.is_base_of(call, cls) else [(call.func, self._given_to_base(call))]
                     continue
                 if constructor is None:
                     return ()
                 given = bind(constructor, call, self.sites.root_env(call.func, call.at))
                 name = self._passed_on(self.folder.objects.delegated(Instance(cls, given, {}, constructor)))
-                found.append(replace(name, at=_place(call)) if name is not None else None)
+                found.append((call.func, replace(name, at=_place(call)) if name is not None else None))
         return found
 
     def _given_to_base(self, call: Invocation) -> NodeName | None:
@@ -252,6 +255,15 @@ class NodeNames:
             found = (self._initialised(call) for call in self._free_calls(main.file))
             return next((name for name in found if name is not None), None)
         return None
+
+    def made_by(self, classes: Iterable[Cls]) -> Iterator[tuple[Func, NodeName | None]]:
+        """Yield the functions that make nodes, of client libraries or of classes of the tree, and what each is called."""
+        for call in (call for name in _NAMING for call in self.sites.calls.get(name, ())):
+            found = self._initialised(call) if call.statement.kind != "init" else None
+            if found is not None:
+                yield call.func, found
+        for cls in classes:
+            yield from self._makings(cls)
 
     def _free_calls(self, file: File) -> Sequence[Invocation]:
         """The calls in functions of a file that can give a node its name, those of client libraries first."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ecm_parsers.source.cpp_effects import has_call
 from ecm_parsers.source.cpp_expr import ExprReader
-from ecm_parsers.source.expr import Expr, Items, Opaque
+from ecm_parsers.source.expr import Expr, Items, Op, Opaque
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -38,7 +39,9 @@ def array_value(reader: ExprReader, kind: Node, declarator: Node, value: Node) -
     items = reader.arguments(value)
     size = dimensions[-1].child_by_field_name("size")
     stated = reader.text(size) if size is not None else ""
-    return Items(items) if not stated.isdecimal() or int(stated) == len(items) else Opaque("{}")
+    if not stated.isdecimal() or int(stated) == len(items):
+        return Items(items)
+    return Op("{}", items) if any(map(has_call, items)) else Opaque("{}")
 
 
 def _dimensions(declarator: Node) -> list[Node]:

@@ -17,6 +17,7 @@ from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_heads import LastNamed, hides, macro_test
 from ecm_parsers.source.cpp_lambdas import DeclaredFunctions, as_function, lambda_parameters, lambda_traits, place_name
 from ecm_parsers.source.cpp_loops import Loops
+from ecm_parsers.source.cpp_members import CLASSES
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_raising import type_thrown, types_caught
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of, otherwise
@@ -37,7 +38,7 @@ _TRUE = Constant("true")
 
 
 class LocalName(NamedTuple):
-    """Another way to name something within a function, and the scope of that."""
+    """What is declared within a function for its own use, and the scope of that: a class, another way to name one."""
 
     node: Node
     scope: str
@@ -50,8 +51,8 @@ class BodyReader:
         writer: what was read so far, in source order, and how it follows each other.
         functions: lambdas that are read as functions of their own.
         declared: the functions of the file.
-        local_names: `using A = B`, `using namespace a` and the like, those of lambdas included; whoever reads
-            declarations reads them.
+        local_names: classes, `using A = B`, `using namespace a` and the like, those of lambdas included; whoever
+            reads declarations reads them.
     """
 
     def __init__(self, data: bytes, scope: str, declared: DeclaredFunctions) -> None:
@@ -222,6 +223,8 @@ class BodyReader:
         kind = node.child_by_field_name("type")
         if kind is None:
             return
+        if kind.type in CLASSES and kind.child_by_field_name("body") is not None:
+            self.local_names.append(LocalName(kind, self.scope))
         for declarator in node.children_by_field_name("declarator"):
             self._binding.bind(node, declarator)
 
@@ -304,6 +307,9 @@ _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
     "alias_declaration": BodyReader._local_name,
     "type_definition": BodyReader._local_name,
     "using_declaration": BodyReader._local_name,
+    "class_specifier": BodyReader._local_name,
+    "struct_specifier": BodyReader._local_name,
+    "union_specifier": BodyReader._local_name,
     "namespace_alias_definition": BodyReader._local_name,
     "return_statement": BodyReader._return,
     "co_return_statement": BodyReader._return,

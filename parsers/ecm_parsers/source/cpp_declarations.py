@@ -194,7 +194,7 @@ class DeclarationReader:
         if body is not None:
             read.read(body)
         for local in read.local_names:
-            self._local_name(local.node, Place(f"{local.scope}()"))
+            self._local_name(local.node, Place(local.scope if local.node.type in CLASSES else f"{local.scope}()"))
         traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
         specializes = specialized(self.expr, named) if place.written == () else None
         returns = self.expr.type_text(kind) if kind is not None else ""

@@ -15,6 +15,7 @@ from ecm_parsers.source.cpp_brought import Brought
 from ecm_parsers.source.cpp_cast_objects import object_cast
 from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.cpp_containers import given
+from ecm_parsers.source.cpp_effects import has_call
 from ecm_parsers.source.cpp_invoking import gets_values, invoked, invoked_by_element
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
 from ecm_parsers.source.cpp_names import called_lambda, plain_name, specialized
@@ -38,16 +39,7 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 MAX_DEPTH = 60
-_CASTS = frozenset(
-    {
-        "static_cast",
-        "dynamic_cast",
-        "const_cast",
-        "reinterpret_cast",
-        MOVED.text,
-        "std::forward",
-    }
-)
+_CASTS = frozenset({"static_cast", "dynamic_cast", "const_cast", "reinterpret_cast", MOVED.text, "std::forward"})
 
 
 class ExprReader:
@@ -257,14 +249,23 @@ def _items(reader: ExprReader, node: Node) -> Expr:
     return Items(reader.arguments(node))
 
 
+def _deleted(reader: ExprReader, node: Node) -> Expr:
+    """`delete f()` calls what gives it the object."""
+    return Op("delete", tuple([reader.read(child) for child in node.named_children if child.type != "comment"]))
+
+
 def _inner(reader: ExprReader, node: Node) -> Expr:
     value = node.child_by_field_name("value") or (node.named_children[0] if node.named_children else None)
     return reader.read(value) if value is not None else Opaque("")
 
 
 def _last(reader: ExprReader, node: Node) -> Expr:
-    right = node.child_by_field_name("right")
-    return reader.read(right) if right is not None else Opaque("")
+    """`(a, b)` is `b`; what calls in `a` do is done before."""
+    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+    if left is None or right is None:
+        return Opaque("")
+    before, last = reader.read(left), reader.read(right)
+    return Op(",", (before, last)) if has_call(before) else last
 
 
 def _lambda(reader: ExprReader, node: Node) -> Expr:
@@ -337,5 +338,6 @@ _READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
     "cast_expression": _inner,
     "co_await_expression": _inner,
     "comma_expression": _last,
+    "delete_expression": _deleted,
     "lambda_expression": _lambda,
 }
