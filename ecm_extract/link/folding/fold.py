@@ -99,6 +99,7 @@ from ecm_extract.link.running.values import (
     literal,
     unknown,
 )
+from ecm_extract.tree import FileDiagnostic
 
 MAX_NESTED = 60
 """Questions within questions."""
@@ -296,6 +297,10 @@ class Folder:
         self.excluded.forget()
         self.states.forget()
         self.untold.forget()
+
+    def left_out(self) -> tuple[FileDiagnostic, ...]:
+        """Return what is to be told of values that were not computed, and of functions not run to the end."""
+        return (*self.steps.left_out(), *self.faults.told())
 
     def combined(
         self, options: Sequence[tuple[Value, ...]], work: Callable[[list[Any]], Any], label: str
