@@ -85,6 +85,7 @@ from ecm_extract.link.running.outside_variables import OutsideVariables
 from ecm_extract.link.running.parameter_reads import ParameterReads
 from ecm_extract.link.running.part_objects import PartObjects
 from ecm_extract.link.running.python_fields import PythonFields
+from ecm_extract.link.running.replaced_calls import ReplacedCalls
 from ecm_extract.link.running.runs_once import RunsOnce
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.link.running.shifting import Shifting
@@ -160,6 +161,7 @@ class Folder:
         self.behind_calls = BehindCalls(self)
         self.member_fields = MemberFields(self)
         self.redefined = Redefined(self)
+        self.replaced = ReplacedCalls(self)
         self.class_names = ClassNames(self)
         self.enums = EnumFolder(self)
         self.iterators = Iterators(self)
