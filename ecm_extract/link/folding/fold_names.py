@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.facts import Constant, Function
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.code.calls import invocations
+from ecm_extract.link.code.calls import dotted_name, invocations
 from ecm_extract.link.code.member_paths import below_variable
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
@@ -31,6 +31,7 @@ from ecm_extract.link.running.values import (
     parameter,
     unknown,
 )
+from ecm_extract.resolve.cpp_constants import Stated
 from ecm_extract.shipped import shipped
 
 if TYPE_CHECKING:
@@ -285,10 +286,19 @@ class NameFolder:
             return None, []
         return place, self.folder.flow.ways(Name(name), place)
 
+    def ways_of_class(self, expr: Name | Member, env: Env) -> list[tuple[Held, ...]]:
+        """Return what a variable of a class of Python holds that is named by its class, where nobody changes it."""
+        dotted = dotted_name(expr) if isinstance(expr, Member) and env.func.file.language == "python" else ""
+        found = self.folder.program.constant_named(dotted, env.func.file) if dotted else None
+        known = found is not None and found.constant.scope and not self.shared.is_changed(found)
+        return self._left_elsewhere(dotted, env)[1] if known else []
+
     def is_changed(self, cls: Cls, name: str) -> bool:
         """Tell whether a variable that a class of Python has, not its objects, is changed by somebody."""
-        found = self.folder.program.constant_named(f"{cls.fact.name}.{name}", cls.file)
-        return found is not None and cls.file.language == "python" and self.shared.is_changed(found)
+        if cls.file.language != "python":
+            return False
+        own = (each for each in cls.file.facts.constants if each.name == name and each.scope == cls.qualified)
+        return any(self.shared.is_changed(Stated(cls.file, each)) for each in own)
 
     def imported(self, dotted: str, env: Env) -> tuple[Value, ...]:
         """A constant of another Python module, by its dotted name."""
