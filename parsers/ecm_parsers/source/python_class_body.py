@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Expr, Items, Member, Name, Table
+from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.facts import Constant, Field
 from ecm_parsers.source.python_scan import Scan
 
@@ -20,7 +20,7 @@ def named_by(scan: Scan, target: Expr | None) -> str:
 
 
 def class_attribute(scan: Scan, node: Node, field: Field) -> None:
-    """Note an attribute: a constant, and a statement where it is called for, names others, or has a condition."""
+    """Note an attribute: a constant, and a statement where it is called for, or given under a condition."""
     frame, value = scan.frame, field.default
     if frame.fields is not None:
         frame.fields.append(field)
@@ -29,7 +29,7 @@ def class_attribute(scan: Scan, node: Node, field: Field) -> None:
     own = Member(frame.owner, field.name)
     scan.names_again(field.name, own)
     scan.constants.append(Constant(field.name, frame.scope, value, field.line, field.type))
-    if frame.depth > frame.begun or b"(" in scan.raw(node.parent or node) or _names_others(value):
+    if frame.depth > frame.begun or b"(" in scan.raw(node.parent or node):
         scan.emit("set", node, value, own, field.type)
 
 
@@ -37,11 +37,3 @@ def given_before(scan: Scan, target: Expr) -> Expr | None:
     """Return what the body of a class gave its variable before; None of other targets."""
     own = named_by(scan, target)
     return next((field.default for field in reversed(scan.frame.fields or []) if field.name == own), None)
-
-
-def _names_others(value: Expr) -> bool:
-    """Whether a value is, or lists, what stands elsewhere under another name, by which it may be changed."""
-    if isinstance(value, Items | Table):
-        parts = value.items if isinstance(value, Items) else [part for entry in value.entries for part in entry]
-        return any(map(_names_others, parts))
-    return isinstance(value, Name | Member)
