@@ -7,6 +7,7 @@ from functools import cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
+from ecm_parsers.source.expr import Constant as Null
 from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.facts import Constant, Function
 
@@ -84,7 +85,8 @@ class NameFolder:
         cls = env.this or env.func.cls
         fields = (each.fields for each in self.folder.program.ancestry(cls)) if cls is not None else ()
         own = name in {"", *self.folder.flow.effects(env.func).own} or any(name in each for each in fields)
-        return own or self.folder.program.constant_named(name, env.func.file, env.scope) is not None
+        stated = self.folder.program.constant_named(name, env.func.file, env.scope)
+        return own or (stated is not None and not is_lacking(stated, name, env.func.file))
 
     def is_fresh(self, env: Env) -> bool:
         """Tell whether a place is one on which no function of the tree was called before, in every state of it."""
@@ -321,6 +323,12 @@ class NameFolder:
         """Return a constant of a message by the type of one, as it is written; empty where it has none."""
         dot = "." if env.func.file.language == "python" else "::"
         return _read(self.folder.program.message_constant(f"{owner}{dot}{name}", env.func.file, env.scope))
+
+
+def is_lacking(stated: Stated, name: str, file: File) -> bool:
+    """Tell whether a variable of Python is what an import gives, and None where there is no such library."""
+    is_null = stated.constant.value == Null("null") and stated.file is file
+    return is_null and bool(file.imported.get(name))
 
 
 def _read(known: str | float | None) -> tuple[Value, ...]:
