@@ -13,7 +13,7 @@ from ecm_extract.infer.effects import is_element, is_plain
 from ecm_extract.infer.handing_out import handed_out
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
-from ecm_extract.infer.places import target_of
+from ecm_extract.infer.places import ALL_FIELDS, target_of
 from ecm_extract.infer.pointing import is_address, makes_pointer
 from ecm_extract.infer.run import Frame
 from ecm_extract.link.code.containers import makes_tuple
@@ -42,7 +42,7 @@ class Assigning:
 
     def assign(self, statement: Statement, at: int, env: Env, state: State) -> State:
         """Return the state after a statement has given its target a value."""
-        target, value = target_of(statement), statement.value
+        target, value = self._field_named(target_of(statement), env), statement.value
         if statement.kind == "let":
             state = self._declared(target, state)
         if statement.kind == "let" and value is None:
@@ -59,6 +59,14 @@ class Assigning:
         self._refer_by_pointer(statement, at, state)
         state = self.bind(target, Held("value", "", value, env, at), state)
         return self._from_before(statement, state) if statement.kept else state
+
+    def _field_named(self, target: Expr | None, env: Env) -> Expr | None:
+        """The field of Python that `setattr(a, name, x)` gives something, where a run tells its name; else as it is."""
+        table = target.operands[0] if isinstance(target, Op) and target.op == "[]" else None
+        if not isinstance(target, Op) or not isinstance(table, Member) or table.name != ALL_FIELDS:
+            return target
+        name = self.frame.judge.text(target.operands[1], env) if self.frame.whole else None
+        return Member(table.base, name) if name is not None and name.isidentifier() else target
 
     def _declared(self, target: Expr | None, state: State) -> State:
         """The state in which C++ has new variables, whatever others of their names held."""

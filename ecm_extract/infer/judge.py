@@ -98,6 +98,9 @@ class Judge(Targets, Protocol):
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
 
+    def text(self, expr: Expr, env: Env) -> str | None:
+        """Return the text that an expression surely is; None where that is not known."""
+
     def decided(self, fork: Fork) -> Verdict:
         """Tell whether what a branch asks holds, or something raises, and whether it likely does."""
 

@@ -20,9 +20,9 @@ from ecm_extract.infer.routes import Gate, Raising
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Env
 
-MAX_STATES = 64
+MAX_STATES = 256
 """States of one statement that are kept apart; beyond, they are joined."""
-MAX_ROUNDS = 64
+MAX_ROUNDS = 256
 """Rounds of a loop that are run one by one."""
 MAX_STEPS = 4_000
 """Statements that one run may take; beyond, loops are no longer unrolled."""

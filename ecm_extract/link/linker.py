@@ -110,7 +110,7 @@ class Linker:
         packages = self.packages = sorted(packages, key=lambda package: package.root.path)
         files = files_of(packages)
         self.program = Program(files, Sight(packages, files), layouts(packages))
-        settle(self.program)
+        self.unordered = settle(self.program)
         self.parameters = Parameters(forms)
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
         self.types = Types(self.folder)
@@ -187,7 +187,7 @@ class Linker:
 
     def tell(self, tree: Tree) -> None:
         """Report the places whose values were not computed to the end to the tree that they stand in."""
-        for entry in (*self.folder.steps.left_out(), *self.folder.faults.told(), *self.unmodelled.told()):
+        for entry in (*self.unordered, *self.folder.left_out(), *self.unmodelled.told()):
             tree.report(entry)
 
     def _given_out(self, found: Iterable[tuple[Unit, _Found]], by_module: dict[Module, list[_Found]]) -> None:

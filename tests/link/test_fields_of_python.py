@@ -36,7 +36,8 @@ ROWS = [
     ("each of some", "for k, v in given.items(): setattr(self, k, v)\n        self.pub(self.own)", OPEN),
     ("within a list", "[setattr(self, k, v) for k, v in given.items()]; self.pub(self.own)", OPEN),
     ("a field of another object", 'b = Box(); setattr(b, "n", "x"); self.pub(b.n)', "x"),
-    ("any field of another object", "b = Box(); setattr(b, self.key, given); self.pub(b.m)", OPEN),
+    ("any field of another object", "b = Box(); setattr(b, given.popitem()[0], given); self.pub(b.m)", OPEN),
+    ("another field of another object", "b = Box(); setattr(b, self.key, given); self.pub(b.m)", "m"),
     ("a field that is gone", 'delattr(self, "own"); self.pub(self.own)', OPEN),
     ("who takes fields otherwise", "self.pub(Slot().n)", OPEN),
 ]

@@ -72,8 +72,14 @@ PYTHON_CALLS = {
     "the library of Python": ('logging.info("%s", self)', "", []),
     "a method that declares, by its name in parts": ('getattr(self, "create_" + "client")(String, "x")', "", []),
     "a method that may declare": ('getattr(self, f"create_{kind}")(String, "x")', "", ["getattr"]),
+    "code in a text": ("exec(\"self.create_client(String, 'x')\")", "", ["exec"]),
+    "code that is put together": ("exec(kind)", "", ["exec"]),
+    "code that declares nothing": ("exec('count = 1')", "", []),
     "a method that does not": ('getattr(self, f"setup_{kind}")("x")', "", []),
 }
+
+
+CODES = {"handle-given-outside", "method-by-computed-name", "code-from-text"}
 
 
 @pytest.mark.parametrize(("call", "other", "expected"), PYTHON_CALLS.values(), ids=PYTHON_CALLS)
@@ -82,5 +88,5 @@ def test_what_nobody_sees_of_python_is_told(workspace: Any, call: str, other: st
     text = PYTHON.format(call=call or "pass", other=other or "pass")
     workspace.package({"pkg/__init__.py": "", "pkg/own.py": "def add(node, name):\n    pass\n", "pkg/demo.py": text})
     found = extract(open_tree(workspace.root), Options(jobs=1))
-    told = [entry for entry in found.diagnostics if entry.code in {"handle-given-outside", "method-by-computed-name"}]
+    told = [entry for entry in found.diagnostics if entry.code in CODES]
     assert [entry.message.partition(" ")[0] for entry in told] == expected

@@ -8,7 +8,7 @@ from ecm_extract.link.declaring.match import name_argument
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.steps import is_left_out, is_too_deep
-from ecm_extract.link.running.values import Value, without_defaults
+from ecm_extract.link.running.values import Value, alternatives, unknown, without_defaults
 
 _HANDED: Final = frozenset({"param", "made"})
 """Kinds of holes of which the callers of a function know."""
@@ -32,6 +32,8 @@ class SiteNames:
             name = name_argument(site.form, site.call)
             with self.folder.steps.without_a_word():
                 values = self.folder.fold(name, site.env) if name is not None else ()
+            if self.folder.replaced.may_be(site.call, site.env):
+                values = alternatives((*values, unknown(site.call.last)))
             known = self._known[site] = values
         return known
 

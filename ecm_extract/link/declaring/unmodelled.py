@@ -13,7 +13,7 @@ from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import given_to, last_of
 from ecm_extract.link.declaring.client_libraries import is_client_library
 from ecm_extract.link.declaring.forms import FormTable
-from ecm_extract.link.declaring.unmodelled_python import MADE_UP, UnmodelledPython
+from ecm_extract.link.declaring.unmodelled_python import MADE_UP, RUN_TEXT, UnmodelledPython
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.module_kinds import is_node_base
 from ecm_extract.link.running.env import Env
@@ -21,6 +21,7 @@ from ecm_extract.tree import FileDiagnostic, Unread, printable
 
 CODE: Final = "handle-given-outside"
 COMPUTED: Final = "method-by-computed-name"
+TEXT: Final = "code-from-text"
 _HANDLE: Final = "NodeHandle"
 _LANGUAGE: Final = frozenset({"std", "boost", "ros"})
 """Namespaces whose functions declare nothing but what rows tell of."""
@@ -54,7 +55,7 @@ class Unmodelled:
     def _of(self, func: Func) -> Iterator[tuple[str, int]]:
         """Yield what a function calls so, as it is written, with its line."""
         if func.file.language == "python":
-            for at, call in self.python.calls(func) if func.file.ros == 2 else ():
+            for at, call in self.python.calls(func):
                 name = self.python.called(call, Env(func, at, this=func.cls))
                 yield from [(name, call.line)] if name else ()
             return
@@ -93,7 +94,9 @@ def _called(call: Call) -> str:
 
 
 def _told(path: str, name: str, line: int) -> FileDiagnostic:
-    return _told_computed(printable(path), line) if name == MADE_UP else _told_outside(printable(path), name, line)
+    tellers = {MADE_UP: _told_computed, RUN_TEXT: _told_text}
+    teller = tellers.get(name)
+    return teller(printable(path), line) if teller is not None else _told_outside(printable(path), name, line)
 
 
 def _told_outside(path: str, name: str, line: int) -> FileDiagnostic:
@@ -111,3 +114,11 @@ def _told_computed(path: str, line: int) -> FileDiagnostic:
         "Call the method by its name, or by a table of methods."
     )
     return FileDiagnostic("warning", COMPUTED, path, line, text, Unread(path, "unfollowed"))
+
+
+def _told_text(path: str, line: int) -> FileDiagnostic:
+    text = (
+        f"{RUN_TEXT} runs a text as code, which nobody reads here: what that declares is not told. "
+        "Write the code out, or import it as a module."
+    )
+    return FileDiagnostic("warning", TEXT, path, line, text, Unread(path, "unfollowed"))

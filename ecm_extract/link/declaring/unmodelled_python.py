@@ -28,6 +28,9 @@ from ecm_extract.link.running.values import Value
 
 MADE_UP: Final = "getattr"
 """What calls are told by that run a method of which the name is put together."""
+RUN_TEXT: Final = "exec"
+"""What calls are told by that run code which stands in a text: docs.python.org, built-in functions."""
+_RUNNING: Final = (Name(RUN_TEXT), Name("execfile"))
 
 
 class UnmodelledPython:
@@ -46,6 +49,10 @@ class UnmodelledPython:
 
     def called(self, call: Call, env: Env) -> str:
         """Return how what a call runs is written, where nobody sees what that declares; else nothing."""
+        if call.callee in _RUNNING:
+            return RUN_TEXT if self._may_declare(call, env.func) else ""
+        if env.func.file.ros != 2:
+            return ""
         asked = call.callee if isinstance(call.callee, Call) and call.callee.callee == Name(MADE_UP) else None
         if asked is not None:
             return MADE_UP if len(asked.args) > 1 and self._may_be_maker(asked.args[0], asked.args[1], env) else ""
@@ -58,6 +65,13 @@ class UnmodelledPython:
         """Yield the calls of a function that may be some, with their statements."""
         for at, group in enumerate(func.calls):
             yield from ((at, call) for call in group if isinstance(call.callee, Name | Member | Call))
+
+    def _may_declare(self, call: Call, func: Func) -> bool:
+        """Whether a text that is run as code may declare: one that is not written out, or names a row's call."""
+        if not any(is_client_library(name.partition(".")[0]) for name in func.file.imported.values()):
+            return False
+        code = call.args[0] if call.args else None
+        return not isinstance(code, Text) or any(name in code.value for name in self.makers)
 
     def _is_outside(self, written: str) -> bool:
         """Whether a dotted name is of a library that the tree does not have and no row tells of."""

@@ -24,7 +24,9 @@ from ecm_extract.link.endpoints.qos_variables import QosVariables
 from ecm_extract.link.endpoints.qos_words import QosWords
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.folding.fold_names import is_lacking
 from ecm_extract.link.running.env import Env, invocation_of
+from ecm_extract.resolve.cpp_constants import Stated
 
 _FLAGS: dict[str, tuple[str, str]] = {
     "reliable": ("reliability", "reliable"),
@@ -161,10 +163,14 @@ class QosReader:
             expr = expr.base
         written = self.picked.enumerator(expr, env) or dotted_name(expr)
         found = presets().get(self._spelled(written, env)) if written else None
-        if found is None or self.folder.scope.constant(written, env) is not None:
+        if found is None or self._is_of_tree(written, env):
             return None
         is_own = isinstance(expr, Name) and self.variables.at(expr, env, level) is not None
         return {**found[1], "profile": found[0]} if not is_own else None
+
+    def _is_of_tree(self, written: str, env: Env) -> bool:
+        stated = self.folder.scope.constant(written, env)
+        return stated is not None and not is_lacking(Stated(stated[1], stated[0]), written, env.func.file)
 
     def _spelled(self, written: str, env: Env) -> str:
         """The last part of a name, with the enumeration before it: of Python as the library calls it, not an alias."""

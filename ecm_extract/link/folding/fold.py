@@ -85,6 +85,7 @@ from ecm_extract.link.running.outside_variables import OutsideVariables
 from ecm_extract.link.running.parameter_reads import ParameterReads
 from ecm_extract.link.running.part_objects import PartObjects
 from ecm_extract.link.running.python_fields import PythonFields
+from ecm_extract.link.running.replaced_calls import ReplacedCalls
 from ecm_extract.link.running.runs_once import RunsOnce
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.link.running.shifting import Shifting
@@ -99,6 +100,7 @@ from ecm_extract.link.running.values import (
     literal,
     unknown,
 )
+from ecm_extract.tree import FileDiagnostic
 
 MAX_NESTED = 60
 """Questions within questions."""
@@ -159,6 +161,7 @@ class Folder:
         self.behind_calls = BehindCalls(self)
         self.member_fields = MemberFields(self)
         self.redefined = Redefined(self)
+        self.replaced = ReplacedCalls(self)
         self.class_names = ClassNames(self)
         self.enums = EnumFolder(self)
         self.iterators = Iterators(self)
@@ -296,6 +299,10 @@ class Folder:
         self.excluded.forget()
         self.states.forget()
         self.untold.forget()
+
+    def left_out(self) -> tuple[FileDiagnostic, ...]:
+        """Return what is to be told of values that were not computed, and of functions not run to the end."""
+        return (*self.steps.left_out(), *self.faults.told())
 
     def combined(
         self, options: Sequence[tuple[Value, ...]], work: Callable[[list[Any]], Any], label: str

@@ -122,7 +122,8 @@ class CallFolder:
             named = self.folder.fold(read.name, env.before(env.at))[0].text
             return (unknown(named.rpartition(".")[2].strip("{}") or call.last),)
         if read is not None:
-            return self.folder.parameters.read_value(read, env.before(env.at))
+            values = self.folder.parameters.read_value(read, env.before(env.at))
+            return values if not self.folder.replaced.may_be(call, env) else (unknown(call.last),)
         if call.path in PARAMETER_OBJECTS:
             return self.folder.fold(value_of_parameter(call), env.before(env.at))
         if call.path in _PATH_JOINS and call.args and not call.keywords:

@@ -25,7 +25,6 @@ from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.captured import captured, is_around
 from ecm_extract.link.folding.declared_members import only_source
-from ecm_extract.link.folding.fold_tables import is_plain_table
 from ecm_extract.link.folding.made_lists import made_elements
 from ecm_extract.link.folding.open_lists import OpenLists
 from ecm_extract.link.folding.python_lists import LIST_CALLS, OPERATED, ORDERLESS, SPLITS, operated
@@ -146,7 +145,7 @@ class ListFolder:
             copied = copied_range(expr.items)
             return self._spread(expr, env) if copied is None else self.items(copied, env)
         if isinstance(expr, Table):
-            return [Bound(key, env) for key, _ in expr.entries] if is_plain_table(expr) else None
+            return self.folder.tables.keys(expr, env)
         if isinstance(expr, Comprehension):
             return self.folder.comprehended.elements(expr, inner)
         if isinstance(expr, Call):
@@ -210,7 +209,7 @@ class ListFolder:
         return items[at] if isinstance(at, int) and -len(items) <= at < len(items) else None
 
     def _of_variable(self, expr: Name | Member, env: Env) -> list[Bound] | None:
-        ways = self.folder.flow.ways(expr, env)
+        ways = self.folder.names.ways_of_class(expr, env) or self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.iterators.of_held(expr, ways, env)
         given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None

@@ -7,11 +7,12 @@ from functools import cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
+from ecm_parsers.source.expr import Constant as Null
 from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.facts import Constant, Function
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.code.calls import invocations
+from ecm_extract.link.code.calls import dotted_name, invocations
 from ecm_extract.link.code.member_paths import below_variable
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, File, Func
@@ -31,6 +32,7 @@ from ecm_extract.link.running.values import (
     parameter,
     unknown,
 )
+from ecm_extract.resolve.cpp_constants import Stated
 from ecm_extract.shipped import shipped
 
 if TYPE_CHECKING:
@@ -83,7 +85,8 @@ class NameFolder:
         cls = env.this or env.func.cls
         fields = (each.fields for each in self.folder.program.ancestry(cls)) if cls is not None else ()
         own = name in {"", *self.folder.flow.effects(env.func).own} or any(name in each for each in fields)
-        return own or self.folder.program.constant_named(name, env.func.file, env.scope) is not None
+        stated = self.folder.program.constant_named(name, env.func.file, env.scope)
+        return own or (stated is not None and not is_lacking(stated, name, env.func.file))
 
     def is_fresh(self, env: Env) -> bool:
         """Tell whether a place is one on which no function of the tree was called before, in every state of it."""
@@ -285,10 +288,19 @@ class NameFolder:
             return None, []
         return place, self.folder.flow.ways(Name(name), place)
 
+    def ways_of_class(self, expr: Name | Member, env: Env) -> list[tuple[Held, ...]]:
+        """Return what a variable of a class of Python holds that is named by its class, where nobody changes it."""
+        dotted = dotted_name(expr) if isinstance(expr, Member) and env.func.file.language == "python" else ""
+        found = self.folder.program.constant_named(dotted, env.func.file) if dotted else None
+        known = found is not None and found.constant.scope and not self.shared.is_changed(found)
+        return self._left_elsewhere(dotted, env)[1] if known else []
+
     def is_changed(self, cls: Cls, name: str) -> bool:
         """Tell whether a variable that a class of Python has, not its objects, is changed by somebody."""
-        found = self.folder.program.constant_named(f"{cls.fact.name}.{name}", cls.file)
-        return found is not None and cls.file.language == "python" and self.shared.is_changed(found)
+        if cls.file.language != "python":
+            return False
+        own = (each for each in cls.file.facts.constants if each.name == name and each.scope == cls.qualified)
+        return any(self.shared.is_changed(Stated(cls.file, each)) for each in own)
 
     def imported(self, dotted: str, env: Env) -> tuple[Value, ...]:
         """A constant of another Python module, by its dotted name."""
@@ -311,6 +323,12 @@ class NameFolder:
         """Return a constant of a message by the type of one, as it is written; empty where it has none."""
         dot = "." if env.func.file.language == "python" else "::"
         return _read(self.folder.program.message_constant(f"{owner}{dot}{name}", env.func.file, env.scope))
+
+
+def is_lacking(stated: Stated, name: str, file: File) -> bool:
+    """Tell whether a variable of Python is what an import gives, and None where there is no such library."""
+    is_null = stated.constant.value == Null("null") and stated.file is file
+    return is_null and bool(file.imported.get(name))
 
 
 def _read(known: str | float | None) -> tuple[Value, ...]:

@@ -110,7 +110,7 @@ class TableFolder:
         read = self.folder.properties.read(expr, env)
         if read is not None:
             return self._returned_entries(invocation_of(read, env), env)
-        ways = self.folder.flow.ways(expr, env)
+        ways = self.folder.names.ways_of_class(expr, env) or self.folder.flow.ways(expr, env)
         if ways:
             states = list(dict.fromkeys(ways))
             return self.held_entries(states[0][0], env) if len(states) == 1 and len(states[0]) == 1 else None
@@ -318,6 +318,14 @@ class TableFolder:
             return entries if surely else [*entries, more]
         return None if env.func.file.language == "python" else [more, *entries]
 
+    def keys(self, table: Expr, env: Env) -> list[Bound] | None:
+        """Return the keys of a table, which a loop over it gives."""
+        if isinstance(table, Table) and all(key != Constant("null") for key, _ in table.entries):
+            return [Bound(key, env) for key, _ in table.entries]
+        entries = self.entries(table, env)
+        found = self.distinct(entries, env) if entries is not None else None
+        return [entry.key for entry in found] if found is not None else None
+
     def distinct(self, entries: list[Entry], env: Env) -> list[Entry] | None:
         """Return the entries that a table has in the end: each key once, in the place where it came first."""
         found: dict[Any, Entry] = {}
@@ -328,11 +336,6 @@ class TableFolder:
             first = found.get(data_in(keys[0]))
             found[data_in(keys[0])] = Entry(first.key if first is not None else entry.key, entry.value)
         return list(found.values())
-
-
-def is_plain_table(expr: Table) -> bool:
-    """Tell whether a display of a table has no other table spread into it."""
-    return all(key != Constant("null") for key, _ in expr.entries)
 
 
 def _one_after_the_other(tables: Sequence[list[Entry] | None]) -> list[Entry] | None:

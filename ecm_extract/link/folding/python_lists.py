@@ -222,6 +222,7 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "itertools.zip_longest": _zipped_longest,
         "itertools.combinations": _chosen(combinations),
         "itertools.permutations": _chosen(permutations),
+        "dict": lambda lists, call, env: lists.folder.tables.keys(Call(Name(call.path), call.args, call.keywords), env),
         "keys": _table_part("keys"),
         "values": _table_part("values"),
         "dataclasses.fields": _fields,

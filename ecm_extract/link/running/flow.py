@@ -261,6 +261,10 @@ class Flow:
         """Tell whether what a branch asks holds, or something raises, and whether it likely does."""
         return self.decisions.of(fork)
 
+    def text(self, expr: Expr, env: Env) -> str | None:
+        """Return the text that an expression surely is; None where that is not known."""
+        return self.truths.text(expr, env)
+
     def alike(self, one: Expr, other: Expr, env: Env, likely: bool = False) -> bool | None:
         """Tell whether two expressions (likely) have the same value; None when that is not decided."""
         return self.truths.alike(one, other, env, likely)

@@ -6,7 +6,7 @@ Source: docs.python.org, "Expressions", "Evaluation order": from left to right. 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence, Set
+from collections.abc import Iterator, Sequence, Set
 from itertools import pairwise
 from typing import Final, NamedTuple
 
@@ -14,12 +14,9 @@ from ecm_parsers.source.expr import (
     Call,
     Comprehension,
     Expr,
-    Items,
     Member,
     Name,
     Op,
-    Table,
-    Template,
 )
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Branch, Loop, Step, Switch, blocks, rewritten
@@ -28,6 +25,7 @@ from msgspec.structs import replace
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import calls_in, expressions, last_of
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.expression_parts import inner, renumbered, with_inner
 from ecm_extract.link.running.names_by_calls import NOTHING, Named, NamesByCalls
 
 _TAKEN: Final = frozenset({"do", "set", "let", "return"})
@@ -35,16 +33,28 @@ _TAKEN: Final = frozenset({"do", "set", "let", "return"})
 _CHOICES: Final = frozenset({"&&", "||", "?:"})
 TAKEN_FIRST: Final = "#"
 """How the names begin of parts that are taken before their statement, and that no source has."""
-MAX_PARTS: Final = 60
+MAX_PARTS: Final = 400
 """Parts of a statement that are put in order."""
 
 
-def settle_order(program: Program) -> None:
-    """Put the parts of statements in order, where that says more than the statement as it stands."""
+def settle_order(program: Program) -> Iterator[Place]:
+    """Put the parts of statements in order, where that says more than the statement as it stands.
+
+    Yields the places of those that have too many parts, and are left as they stand.
+    """
     names = NamesByCalls(program)
     for func in program.every_function():
         if func.file.language == "python":
-            _Ordered(func, names).settle()
+            ordered = _Ordered(func, names)
+            ordered.settle()
+            yield from (Place(func.file.path, line) for line in ordered.left)
+
+
+class Place(NamedTuple):
+    """A line of a file."""
+
+    path: str
+    line: int
 
 
 class Part(NamedTuple):
@@ -72,12 +82,13 @@ _AS_IT_IS: Final = _Wanted(frozenset(), frozenset())
 
 
 class _Ordered:
-    """The statements of one function."""
+    """The statements of one function; `left` are the lines of those that have too many parts."""
 
     def __init__(self, func: Func, names: NamesByCalls) -> None:
         self.func = func
         self.names = names
         self.body: list[Statement] = []
+        self.left: list[int] = []
         self._steps: list[Block] = []
         self._places: list[int] = []
         self._asked: dict[int, _Asked] = {}
@@ -112,6 +123,8 @@ class _Ordered:
         calls = [call for call in self.func.calls[at] if self.names.is_run(call)]
         written = frozenset[str]().union(*(self.names.of(call).written for call in calls))
         parts = self.parts(value, written) if written else []
+        if len(parts) > MAX_PARTS:
+            self.left.append(statement.line)
         return _Wanted(_taken_apart(parts), written) if 1 < len(parts) <= MAX_PARTS else _AS_IT_IS
 
     def parts(self, expr: Expr, names: Set[str]) -> list[Part]:
@@ -178,7 +191,7 @@ class _Ordered:
         """An expression whose loops may stand elsewhere by now."""
         if expr is None or self._places == list(range(len(self._places))):
             return expr
-        return _renumbered(expr, self._places)
+        return renumbered(expr, self._places)
 
     def _block(self, block: Block) -> Block:
         found: list[Step] = []
@@ -218,7 +231,7 @@ class Taking:
         """Return what is left of an expression behind steps, which are added."""
         if isinstance(expr, Op) and expr.op in _CHOICES and self._is_wanted(expr):
             return self._chosen(expr, steps)
-        left = _with_inner(expr, lambda each: self.value(each, steps))
+        left = with_inner(expr, lambda each: self.value(each, steps))
         if self.ordered.named(expr, self.wanted.names) == NOTHING:
             return left
         self._count += 1
@@ -287,55 +300,3 @@ def _taken_apart(parts: Sequence[Part]) -> Set[int]:
 def _changes(part: Part, other: Part) -> bool:
     """Whether a part may change what another one reads, or changes as well."""
     return not part.named.written.isdisjoint(other.named.read | other.named.written)
-
-
-def inner(expr: Expr) -> Iterator[Expr]:
-    """Yield the parts of an expression that are taken when it is, in their order."""
-    if isinstance(expr, Call):
-        if not isinstance(expr.callee, Name):
-            yield expr.callee.base if isinstance(expr.callee, Member) else expr.callee
-        yield from expr.args
-        yield from (value for _, value in expr.keywords)
-    elif isinstance(expr, Member):
-        yield expr.base
-    elif isinstance(expr, Op):
-        yield from expr.operands
-    elif isinstance(expr, Items):
-        yield from expr.items
-    elif isinstance(expr, Template):
-        yield from expr.parts
-    elif isinstance(expr, Table):
-        yield from (each for entry in expr.entries for each in entry)
-
-
-def _with_inner(expr: Expr, change: Callable[[Expr], Expr]) -> Expr:
-    """An expression with others in the place of its parts, which are asked for in their order."""
-    if isinstance(expr, Call):
-        callee = expr.callee
-        if isinstance(callee, Member):
-            callee = Member(change(callee.base), callee.name)
-        elif not isinstance(callee, Name):
-            callee = change(callee)
-        args = tuple([change(each) for each in expr.args])
-        return replace(
-            expr, callee=callee, args=args, keywords=tuple([(key, change(each)) for key, each in expr.keywords])
-        )
-    if isinstance(expr, Member):
-        return Member(change(expr.base), expr.name)
-    if isinstance(expr, Op):
-        return Op(expr.op, tuple([change(each) for each in expr.operands]))
-    if isinstance(expr, Items):
-        return Items(tuple([change(each) for each in expr.items]))
-    if isinstance(expr, Template):
-        return Template(tuple([change(each) for each in expr.parts]))
-    if isinstance(expr, Table):
-        return Table(tuple([(change(key), change(value)) for key, value in expr.entries]))
-    return expr
-
-
-def _renumbered(expr: Expr, places: Sequence[int]) -> Expr:
-    """An expression whose loops are elsewhere by now."""
-    if isinstance(expr, Comprehension):
-        parts = [_renumbered(each, places) for each in (expr.element, *expr.tests)]
-        return Comprehension(parts[0], tuple([places[at] for at in expr.loops]), tuple(parts[1:]))
-    return _with_inner(expr, lambda each: _renumbered(each, places))

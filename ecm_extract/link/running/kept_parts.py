@@ -19,6 +19,7 @@ from ecm_extract.infer.effect import Effect
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import target_of
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.texts import makes_text
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import calls_in, expressions, given_to, last_of, names_in
@@ -197,9 +198,17 @@ class KeptParts:
                 yield from (_Given(self._place(key, func), value, within) for key in keys)
         for at, calls in enumerate(func.calls):
             yield from (each for call in calls for each in self._handed(call, at, outline))
+        yield from self._by_classes(func) if func.fact.name == "<module>" else ()
         for param in func.fact.params:
             if param.default is not None and not is_plain(param.default):
                 yield _Given(_Place(param.name, func), param.default, isinstance(param.default, Items | Table))
+
+    def _by_classes(self, func: Func) -> Iterator[_Given]:
+        """Yield the attributes by which the classes of a module keep something that has another name, too."""
+        for each in func.file.facts.constants:
+            if each.scope and isinstance(each.value, Name | Member | Items | Table):
+                place = self._place(f"{last_name(each.scope)}.{each.name}", func)
+                yield _Given(place, each.value, isinstance(each.value, Items | Table))
 
     def _is_of_plain(self, value: Expr, outline: Outline) -> bool:
         """Whether a loop is over texts or numbers that are written out: nobody can change them."""

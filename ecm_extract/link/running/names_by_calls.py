@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ecm_extract.link.index.program import Program
 
 MAX_REACHED: Final = 100
-"""Functions that are looked through for one call, each of which calls the next ones."""
+"""Functions that are looked through for one call, each of which calls the next ones; more may change anything."""
 
 
 class Named(NamedTuple):
@@ -80,11 +80,19 @@ class NamesByCalls:
             return NOTHING
         known = self._known.get(name)
         if known is None:
-            reached = [self._of(func) for func in self._reached(name)]
-            written = frozenset[str]().union(*(each.written for each in reached))
-            read = frozenset[str]().union(*(each.read for each in reached))
+            reached = self._reached(name)
+            written = frozenset[str]().union(*(self._of(func).written for func in reached))
+            read = frozenset[str]().union(*(self._of(func).read for func in reached))
+            if len(reached) >= MAX_REACHED:
+                written = read = self._written_anywhere
             known = self._known[name] = Named(written, read, any(self._of(func).given for func in self.functions[name]))
         return known
+
+    @cached_property
+    def _written_anywhere(self) -> frozenset[str]:
+        """The names that any function may change: what a call does of which not all functions are looked through."""
+        every = (func for functions in self.functions.values() for func in functions)
+        return frozenset[str]().union(*(self._of(func).written for func in every))
 
     def _reached(self, name: str) -> list[Func]:
         """The functions of a name, and those that they call."""

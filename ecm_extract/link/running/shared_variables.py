@@ -12,7 +12,7 @@ from ecm_extract.infer.effects import is_plain, is_within
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.decorators import is_of_class
 from ecm_extract.link.code.spelling import last_name
-from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.resolve.cpp_constants import Stated
 
 if TYPE_CHECKING:
@@ -37,10 +37,20 @@ class SharedVariables:
         """Tell whether anybody but the functions of its own module may change a variable."""
         known = self._known.get(stated)
         if known is None:
-            name = stated.constant.name
-            changed = any(self._changes(func, stated) for func in self._by_name().get(name, ()))
-            known = self._known[stated] = changed or self._is_kept(stated) or self._is_of_class(stated)
+            known = self._known[stated] = self._is_built(stated) or self._by_others(stated)
         return known
+
+    def _by_others(self, stated: Stated) -> bool:
+        changed = any(self._changes(func, stated) for func in self._by_name().get(stated.constant.name, ()))
+        return changed or self._is_kept(stated) or self._is_of_class(stated)
+
+    def _is_built(self, stated: Stated) -> bool:
+        """Whether the body of its class changes a variable again after it gave it its value."""
+        for func in self._by_name().get(stated.constant.name, ()) if stated.constant.scope else ():
+            own = _defined(func, stated)
+            if own and self.folder.flow.outline(func).changes.get(own, 0) > 1:
+                return True
+        return False
 
     def _is_of_class(self, stated: Stated) -> bool:
         """Whether somebody changes an attribute of that name of a class, which he may have by another name."""
@@ -62,8 +72,7 @@ class SharedVariables:
         name, outline = stated.constant.name, self.folder.flow.outline(func)
         changed = outline.given if self._stays(stated) else outline.changes  # who gets a text leaves it
         own = _defined(func, stated)
-        again = bool(own) and outline.changes.get(own, 0) > 1
-        others = [key for key in changed if not own or not is_within(key, own) or (key == own and again)]
+        others = [key for key in changed if not own or not is_within(key, own)]
         roots = [root for key in others for root in _before(name, key)]
         if any(self._leads_to(root, func, stated) for root in roots) or _gives_its_class(func, stated):
             return True
@@ -76,9 +85,18 @@ class SharedVariables:
         constant = stated.constant
         if not constant.scope:
             return self._means(f"{root}.{constant.name}", func, stated)
+        cls = self.folder.program.class_named(root, func.file, func.scope) if root else None
+        if cls is not None:
+            return self._has(cls, stated)
         named = root.rpartition(".")[2] in {last_name(constant.scope), "cls", "__class__"}
         named = named or (not root and is_of_class(func))
         return named or not self._stays(stated)
+
+    def _has(self, cls: Cls, stated: Stated) -> bool:
+        """Whether a class has a variable of its own or of the nearest base that has one of its name."""
+        lineage = self.folder.program.ancestry(cls)
+        owner = next((each for each in lineage if stated.constant.name in each.fields), None)
+        return owner is None or (owner.qualified == stated.constant.scope and owner.file is stated.file)
 
     def _stays(self, stated: Stated) -> bool:
         """Whether nobody can change what a variable is, but only give it something else: a text, a named tuple."""

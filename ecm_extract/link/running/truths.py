@@ -116,6 +116,12 @@ class Truths:
                 break
         return Verdict(_met([each.holds for each in found], ends), _met([each.likely for each in found], ends))
 
+    def text(self, expr: Expr, env: Env) -> str | None:
+        """Return the text that an expression surely is; None where that is not known."""
+        values = self.folder.fold(expr, env)
+        data = data_in(values[0]) if len(values) == 1 and is_proved(values[0]) else None
+        return data if isinstance(data, str) else None
+
     def alike(self, one: Expr, other: Expr, env: Env, likely: bool = False) -> bool | None:
         """Tell whether two expressions (likely) have the same value; None when that is not decided."""
         python = env.func.file.language == "python"

@@ -12,13 +12,13 @@ from typing import Final, Literal
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import THIS, Expr, Items, Member, Name, Op
+from ecm_parsers.source.expr import THIS, Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Constant, Field
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Loop, Switch
 from ecm_parsers.source.python_class_body import class_attribute, given_before, named_by
 from ecm_parsers.source.python_contexts import entered
 from ecm_parsers.source.python_expr import salvage
-from ecm_parsers.source.python_fields import given_by, gives_field, of_any_class
+from ecm_parsers.source.python_fields import RUN, given_by, gives_field, of_any_class
 from ecm_parsers.source.python_literal import NULL, TRUE
 from ecm_parsers.source.python_named_tuples import made_class
 from ecm_parsers.source.python_partials import value_for
@@ -305,6 +305,12 @@ def _for(scan: Scan, node: Node) -> None:
     scan.frame.flow.add(Loop(each, None, body, other=_otherwise(scan, node)))
 
 
+def _executed(scan: Scan, node: Node) -> None:
+    """The statement of Python 2 that runs a text."""
+    _calls(scan, node)
+    scan.emit("set", node, Call(Name("exec"), (scan.opaque(node),), line=node.start_point[0] + 1), RUN)
+
+
 def _broken(scan: Scan, node: Node) -> None:
     """Read on inside what could not be parsed: whole statements and calls."""
     scan.block(node)
@@ -318,7 +324,7 @@ STATEMENTS: Mapping[str, StatementHandler] = {
     "break_statement": _left("break"),
     "continue_statement": _left("continue"),
     "delete_statement": _deleted,
-    "exec_statement": _calls,
+    "exec_statement": _executed,
     "expression_statement": _expression,
     "for_statement": _for,
     "global_statement": _shared,

@@ -1,7 +1,8 @@
 """Fields of Python that are given, or asked for, by calls and tables: as the statements that do the same.
 
 `setattr(a, "b", c)`, `a.__dict__["b"] = c`, `vars(a)["b"] = c` are `a.b = c`. Of a name that is no literal the field is
-an element of `a.__dict__`. Source: docs.python.org, built-in functions and `object.__dict__`.
+an element of `a.__dict__`. `exec(text)` may give any field of the object at hand something.
+Source: docs.python.org, built-in functions and `object.__dict__`.
 """
 
 from __future__ import annotations
@@ -14,7 +15,10 @@ FIELDS: Final = "__dict__"
 _CLASS: Final = "__class__"
 _GIVES: Final = "__setattr__"
 _TAKES: Final = "__delattr__"
-_GIVING: Final = frozenset({"setattr", "delattr", _GIVES, _TAKES})
+_RUNS: Final = (Name("exec"), Name("execfile"))
+_GIVING: Final = frozenset({"setattr", "delattr", _GIVES, _TAKES, *(each.id for each in _RUNS)})
+RUN: Final = Op("[]", (Member(THIS, FIELDS), Opaque("exec")))
+"""What code may give something that stands in a text."""
 
 
 class Given(NamedTuple):
@@ -35,6 +39,8 @@ def given_by(expr: Expr) -> Given | None:
         return None
     args = expr.args
     callee = expr.callee
+    if callee in _RUNS:
+        return Given(RUN, expr)
     if isinstance(callee, Member) and callee.name in {_GIVES, _TAKES}:
         named = {_GIVES: 2, _TAKES: 1}[callee.name]
         own = isinstance(callee.base, Call) and callee.base.callee == Name("super")
