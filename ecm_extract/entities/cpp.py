@@ -25,6 +25,7 @@ _WORDS = frozenset({"explicit", "virtual", "inline", "static", "friend", "conste
 _VIRTUAL = frozenset({"virtual", "pure", "override"})
 """A class with such a method is made to be derived from: its protected members are for those who do."""
 _CLOSED = frozenset({"private", "anonymous", "deleted"})
+_ELSEWHERE: Final = "elsewhere"
 
 
 def cpp_entities(facts: PackageFacts) -> Iterator[Provision]:
@@ -33,7 +34,7 @@ def cpp_entities(facts: PackageFacts) -> Iterator[Provision]:
     headers = [_Header(facts.name, path, source) for path, source in sources if source is not None]
     classes = {name for header in headers for name in header.classes}
     for header in headers:
-        yield from header.entities(classes)
+        yield from header.entities()
     for header, alias in _aliases_of_classes(headers, classes):
         yield from header.alias(alias)
 
@@ -74,12 +75,12 @@ class _Header:
         self.derived = {entry.scope for entry in source.functions if not _VIRTUAL.isdisjoint(entry.traits)}
         self.bodies = {f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.functions}
 
-    def entities(self, classes: set[str]) -> Iterator[Provision]:
-        """Yield its symbols; what it defines of classes of other headers is declared there."""
+    def entities(self) -> Iterator[Provision]:
+        """Yield its symbols."""
         for entry in self.source.classes:
             if entry.name and self._is_open(qualified(entry), entry.traits):
                 yield from self._class(entry)
-        yield from self._functions(classes - self.classes)
+        yield from self._functions()
         for constant in self.source.constants:
             if self._is_open(f"{constant.scope}::{constant.name}", constant.traits):
                 yield from self._constant(constant)
@@ -154,13 +155,15 @@ class _Header:
                 line=alias.line,
             )
 
-    def _functions(self, elsewhere: set[str]) -> Iterator[Provision]:
+    def _functions(self) -> Iterator[Provision]:
         groups: dict[tuple[str, str], list[Function]] = defaultdict(list)
         for entry in self.source.functions:
             local = entry.scope in self.bodies and entry.scope not in self.classes
             if entry.name.startswith(("~", "operator")) or local or "<" in entry.name or not entry.name:
                 continue
-            if entry.scope in elsewhere or (not entry.returns and _MACRO.fullmatch(entry.name)):
+            if _ELSEWHERE in entry.traits:
+                continue  # its declaration is what users see, with the defaults of its parameters
+            if not entry.returns and _MACRO.fullmatch(entry.name):
                 continue
             if self._is_open(f"{entry.scope}::{entry.name}".lstrip(":"), entry.traits):
                 groups[entry.scope, entry.name].append(entry)

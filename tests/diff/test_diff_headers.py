@@ -118,6 +118,20 @@ QUIET = {
         | _header("template <class T> T Driver::get(int name) const { return T(); }", name="driver_impl.hpp"),
         _class("template <class T> T get(int name) const;") | {"arm/include/arm/driver_impl.hpp": "#pragma once\n"},
     ),
+    "a body in another header, of a class that a using directive names": (
+        _class("template <class T> T get(int name) const;", "void stop();")
+        | {
+            "arm/include/arm/driver_impl.hpp": "#pragma once\nusing namespace arm;\n"
+            "template <class T> T Driver::get(int name) const { return T(); }\n"
+            "inline void Driver::stop() {}\n"
+        },
+        _class("template <class T> T get(int name, bool strict = false) const;", "void stop(bool now = false);")
+        | {
+            "arm/include/arm/driver_impl.hpp": "#pragma once\nusing namespace arm;\n"
+            "template <class T> T Driver::get(int name, bool strict) const { return T(); }\n"
+            "inline void Driver::stop(bool now) {}\n"
+        },
+    ),
     "an empty body with a stray semicolon": (
         _class("void stop();"),
         _class("void stop();", "virtual void run(int & a) {};"),

@@ -195,7 +195,8 @@ class DeclarationReader:
             read.read(body)
         for local in read.local_names:
             self._local_name(local.node, Place(f"{local.scope}()"))
-        traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
+        elsewhere = ("elsewhere",) if scope != place.scope else ()
+        traits = (*place.traits(), *elsewhere, *function_traits(self.expr, node, declarator, words, body is None))
         specializes = specialized(self.expr, named) if place.written == () else None
         returns = self.expr.type_text(kind) if kind is not None else ""
         self.functions.append(
