@@ -110,3 +110,25 @@ def test_objects_that_a_build_keeps_are_no_library(told, kind: str, is_told: boo
     old = {"arm/CMakeLists.txt": make, "arm/src/arm.cpp": "int arm() { return 1; }\n"}
     found = told(old, {"arm/CMakeLists.txt": "project(arm)\n"})
     assert (("library", "removed", "arm", None) in found) is is_told
+
+
+COPIED = "from setuptools import setup\nfrom glob import glob\nsetup(name='arm', packages=[], data_files=[{files}])\n"
+SCRIPT = "#!/bin/sh\necho up\n"
+MAKE = "project(arm)\nfind_package(catkin)\ncatkin_package()\ninstall(PROGRAMS scripts/up DESTINATION lib/arm)\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "script", "is_there"),
+    [
+        ("('lib/arm', ['scripts/up'])", SCRIPT, True),
+        ("('lib/arm/scripts', glob('scripts/*'))", SCRIPT, True),
+        ("('lib/arm', ['scripts/up'])", SCRIPT.removeprefix("#!"), False),
+        ("('share/arm', ['scripts/up'])", SCRIPT, False),
+        ("('lib/armor', ['scripts/up'])", SCRIPT, False),
+    ],
+)
+def test_programs_among_data_files(told, files: str, script: str, is_there: bool) -> None:  # type: ignore[no-untyped-def]
+    """What setup.py copies to where programs lie, and may be run, is a program of the package."""
+    old = {"arm/CMakeLists.txt": MAKE, "arm/scripts/up": SCRIPT}
+    found = told(old, {"arm/CMakeLists.txt": None, "arm/setup.py": COPIED.format(files=files), "arm/scripts/up": script})
+    assert any(entry[0] == "executable" for entry in found) is not is_there
