@@ -88,6 +88,11 @@ TOLD = {
         _header("// THIS CLASS IS DEPRECATED.", "template <class T>", "class Latched {", "public:", "T get();", "};"),
         {("class", "deprecated", "arm::Latched", "arm::Latched")},
     ),
+    "a template whose parameter is another class by default": (
+        _class("static std::shared_ptr<Driver> make(int id);"),
+        _class("template <class T = Other> static std::shared_ptr<T> make(int id);"),
+        {("method", "signature_changed", "make", "make")},
+    ),
     "a class behind a macro with comments": (
         _header(
             "#define BOTH() \\",
@@ -131,6 +136,10 @@ QUIET = {
             "template <class T> T Driver::get(int name, bool strict) const { return T(); }\n"
             "inline void Driver::stop(bool now) {}\n"
         },
+    ),
+    "a template whose parameter is the class by default": (
+        _class("static std::shared_ptr<Driver> make(int id);"),
+        _class("template <class T = Driver> static std::shared_ptr<T> make(int id);"),
     ),
     "an empty body with a stray semicolon": (
         _class("void stop();"),

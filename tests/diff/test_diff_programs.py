@@ -130,5 +130,7 @@ MAKE = "project(arm)\nfind_package(catkin)\ncatkin_package()\ninstall(PROGRAMS s
 def test_programs_among_data_files(told, files: str, script: str, is_there: bool) -> None:  # type: ignore[no-untyped-def]
     """What setup.py copies to where programs lie, and may be run, is a program of the package."""
     old = {"arm/CMakeLists.txt": MAKE, "arm/scripts/up": SCRIPT}
-    found = told(old, {"arm/CMakeLists.txt": None, "arm/setup.py": COPIED.format(files=files), "arm/scripts/up": script})
+    found = told(
+        old, {"arm/CMakeLists.txt": None, "arm/setup.py": COPIED.format(files=files), "arm/scripts/up": script}
+    )
     assert any(entry[0] == "executable" for entry in found) is not is_there

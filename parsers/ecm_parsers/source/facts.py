@@ -64,7 +64,7 @@ class Function(_Fact, frozen=True):
         returns: return type as written.
         line: first line. end_line: last line.
         body: its statements, those of its anonymous lambdas included; empty for a declaration.
-        template: names of template parameters.
+        template: names of template parameters. defaults: name and default of those of C++ types that have one.
         traits: of `declaration`, `static`, `virtual`, `override`, `pure`, `deleted`, `private`, `protected`,
             `anonymous` (namespace), `deprecated`, `const`, `generator`, `receiving` (one that uses what it is
             sent), `coroutine`, `reference` (it returns one,
@@ -90,6 +90,7 @@ class Function(_Fact, frozen=True):
     flow: Block = ()
     shared: tuple[str, ...] = ()
     specializes: tuple[str, ...] | None = None
+    defaults: tuple[tuple[str, str], ...] = ()
 
 
 OVERLAID: Final = "overlaid"
