@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final
 
 from ecm_checker.hub.provision import ALIAS, Provision
@@ -14,7 +14,7 @@ from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, So
 
 from ecm_extract.entities.public_files import HIDDEN, public_headers
 from ecm_extract.entities.signatures import form_of, normal_type, template_names, written_type
-from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.read.facts import PackageFacts
 
 _MACRO = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}")
@@ -103,6 +103,7 @@ class _Header:
             owner="",
             name=name,
             bases=tuple(plain(base) for base in entry.bases),
+            given=_given(entry.bases, template_names(self._parameters(name))),
             deprecated=MARKED if "deprecated" in entry.traits else None,
             path=self.path,
             line=entry.line,
@@ -150,6 +151,7 @@ class _Header:
                 name=name,
                 type=ALIAS,
                 bases=(plain(alias.target),),
+                given=_given((alias.target,), template_names(alias.template)),
                 deprecated=MARKED if alias.deprecated else None,
                 path=self.path,
                 line=alias.line,
@@ -205,6 +207,12 @@ class _Header:
             path=self.path,
             line=entry.line,
         )
+
+
+def _given(bases: Sequence[str], templates: Mapping[str, str]) -> tuple[tuple[str, ...], ...]:
+    """Return the template arguments of each base; nothing where none has any."""
+    found = tuple(tuple(written_type(each, templates) for each in template_arguments(base)) for base in bases)
+    return found if any(found) else ()
 
 
 def qualified(entry: Class) -> str:

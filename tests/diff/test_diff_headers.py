@@ -88,6 +88,17 @@ TOLD = {
         _header("// THIS CLASS IS DEPRECATED.", "template <class T>", "class Latched {", "public:", "T get();", "};"),
         {("class", "deprecated", "arm::Latched", "arm::Latched")},
     ),
+    "a class that is an instance of a template for another type now": (
+        _header("class Reader { public: void read(const vector<int> & row); };"),
+        _header(
+            "template <class T> class AnyReader { public: void read(const vector<T> & row); };",
+            "using Reader = AnyReader<bool>;",
+        ),
+        {
+            ("class", "added", None, "arm::AnyReader"),
+            ("method", "signature_changed", "read", "read"),
+        },
+    ),
     "a template whose parameter is another class by default": (
         _class("static std::shared_ptr<Driver> make(int id);"),
         _class("template <class T = Other> static std::shared_ptr<T> make(int id);"),
@@ -136,6 +147,22 @@ QUIET = {
             "template <class T> T Driver::get(int name, bool strict) const { return T(); }\n"
             "inline void Driver::stop(bool now) {}\n"
         },
+    ),
+    "a class that is an instance of a template now": (
+        _header("class Reader { public: explicit Reader(Grid<int> & grid); void read(const vector<int> & row); };"),
+        _header(
+            "template <class T> class AnyReader {",
+            "public: explicit AnyReader(Grid<T> & grid); void read(const vector<T> & row); };",
+            "using Reader = AnyReader<int>;",
+        ),
+    ),
+    "a method that is in a base with template arguments now": (
+        _header("class Reader { public: void read(const vector<int> & row); };"),
+        _header(
+            "template <class A, class T> class AnyReader { public: void read(const vector<T> & row); };",
+            "template <class T> class Middle : public AnyReader<bool, T> {};",
+            "class Reader : public Middle<int> {};",
+        ),
     ),
     "a template whose parameter is the class by default": (
         _class("static std::shared_ptr<Driver> make(int id);"),

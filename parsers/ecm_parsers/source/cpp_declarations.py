@@ -236,7 +236,9 @@ class DeclarationReader:
         name, kind = node.child_by_field_name("name"), node.child_by_field_name("type")
         if name is not None and kind is not None:
             target, outdated = self.expr.type_text(kind), bool(announced_end(self.expr, node))
-            self.aliases.append(Alias(self.expr.text(name), place.scope, target, lines_of(node)[0], outdated))
+            own = self.expr.text(name)
+            line, template = lines_of(node)[0], place.template
+            self.aliases.append(Alias(own, place.scope, target, line, outdated, template=template))
 
     def _local_name(self, node: Node, place: Place) -> None:
         """Another way to name something within a function; the scope with `()` keeps it from being one for others."""

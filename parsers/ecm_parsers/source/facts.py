@@ -142,7 +142,7 @@ class Constant(_Fact, frozen=True):
 class Alias(_Fact, frozen=True):
     """`using A = B`, `typedef B A`, `namespace A = B`; the scope of one within a function ends in `()`.
 
-    `deprecated` when an attribute says so; `partly` as for `Using`.
+    `deprecated` when an attribute says so; `partly` as for `Using`; `template` are the names of its own parameters.
     """
 
     name: str
@@ -151,6 +151,7 @@ class Alias(_Fact, frozen=True):
     line: int
     deprecated: bool = False
     partly: bool = False
+    template: tuple[str, ...] = ()
 
     @property
     def local(self) -> bool:
