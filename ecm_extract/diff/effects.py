@@ -13,6 +13,7 @@ from ecm_checker.hub.provision import HOLE, Form, Provision
 from ecm_checker.release import ChangeWord
 
 from ecm_extract.diff.conversions import returns_as_well, takes
+from ecm_extract.diff.deduced import deduced
 from ecm_extract.diff.keyword_only import has_keyword_only, takes_keywords
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import words
@@ -197,6 +198,7 @@ def _with_arguments(form: Form, count: int) -> Form:
 
 def accepts(new: Form, old: Form) -> bool:
     """Whether code written for the old form is right with the new one."""
+    new = deduced(new, old)
     count = len(old.types)
     if old.virtual and new.virtual:
         return new.types == old.types and new.returns == old.returns

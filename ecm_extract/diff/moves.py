@@ -24,6 +24,7 @@ class Places:
         files: new path of each file that moved. packages: new name of each package that has one.
         same_module: whether the module that had it still exists. before: paths of the old side.
         owners: package and name of the programs and modules of the new side.
+        wholes: names of what holds parts, as classes and messages do, of both sides.
     """
 
     files: Mapping[str, str]
@@ -31,6 +32,7 @@ class Places:
     same_module: Callable[[Provision, Provision], bool]
     before: frozenset[str] = frozenset()
     owners: frozenset[tuple[str, str]] = frozenset()
+    wholes: frozenset[str] = frozenset()
 
     def same_package(self, old: Provision, new: Provision) -> bool:
         """Whether an entity stayed in its package, however that is called now."""
@@ -122,8 +124,8 @@ def is_reshaped(old: Provision, new: Provision) -> bool:
 
 
 def _is_likely(old: Provision, new: Provision, places: Places) -> bool:
-    if old.row.fixed and not _is_one_class(last_part(old.owner), last_part(new.owner)):
-        return False  # each class may have its `MIN`
+    if old.row.fixed and not _same_holder(old, new, places.wholes):
+        return False
     if _same_file(old, new, places.files):
         return True
     if not same_language(old, new) or (old.row.is_file and new.path in places.before):
@@ -140,7 +142,8 @@ def _is_likely(old: Provision, new: Provision, places: Places) -> bool:
         return old.default == new.default and old.type == new.type and old.package == new.package
     if old.row.symbol and not old.row.part:
         near = not old.row.called or places.same_package(old, new) or _same_surroundings(old, new)
-        return near and shape_equal(old, new) > 0 and name_similarity(old.name, new.name) > 0.5 and _same_nest(old, new)
+        alike = shape_equal(old, new) > 0 and name_similarity(old.name, new.name) > 0.5
+        return near and alike and _same_nest(old, new, places.wholes)
     return True
 
 
@@ -150,14 +153,22 @@ def _same_surroundings(old: Provision, new: Provision) -> bool:
     return bool(first & second) or not (first or second)
 
 
-def _same_nest(old: Provision, new: Provision) -> bool:
+def _same_nest(old: Provision, new: Provision, wholes: frozenset[str]) -> bool:
     """Whether two classes of one name are no parts of classes of other names: each class may have its `Params`."""
-    return _is_one_class(*(entity.name.rpartition("::")[0].rpartition("::")[2] for entity in (old, new)))
+    around = [entity.name.rpartition("::")[0] for entity in (old, new)]
+    return last_part(around[0]) == last_part(around[1]) or wholes.isdisjoint(around)
 
 
-def _is_one_class(one: str, other: str) -> bool:
-    """Whether two names of what surrounds something are not those of two classes, which PEP 8 and ROS capitalise."""
-    return one == other or not any(name[:1].isupper() for name in (one, other))
+def _same_holder(old: Provision, new: Provision, wholes: frozenset[str]) -> bool:
+    """Whether two constants are not of types of different names: each class may have its `MIN`."""
+    if last_part(old.owner) == last_part(new.owner):
+        return True
+    return not any(each.owner in wholes or _is_enumerator(each) for each in (old, new))
+
+
+def _is_enumerator(entity: Provision) -> bool:
+    """Whether a constant is of the very type that it stands in."""
+    return entity.type is not None and entity.type == last_part(entity.owner)
 
 
 def _nearness(old: Provision, new: Provision, files: Mapping[str, str]) -> tuple[float, ...]:

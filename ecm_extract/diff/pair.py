@@ -54,6 +54,8 @@ class Pairing:
         self._packaged, self._sent = WithPackage(old, new), SentFrames(old, new)
         self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in module_kinds()}
         self._owners = frozenset((key[1], key[2] or key[3]) for key in new)
+        wholes = [kind for kind in containers() if not kinds()[kind].released]
+        self._wholes = frozenset(key[3] for key in (*old, *new) if key[0] in wholes)
 
     def run(self) -> list[Pair]:
         """Return the pairs, then what is left as removed and added."""
@@ -230,7 +232,8 @@ class Pairing:
         for entity in self.new.values():
             if entity.kind in wanted:
                 index[move_key(entity)].append(entity)
-        places = Places(self.evidence.files, self.packages, self._same_module, self.evidence.before, self._owners)
+        files, before = self.evidence.files, self.evidence.before
+        places = Places(files, self.packages, self._same_module, before, self._owners, self._wholes)
         for entity in list(self.old.values()):
             if entity.kind not in wanted:
                 continue

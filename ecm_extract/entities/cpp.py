@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final
 
 from ecm_checker.hub.provision import ALIAS, Provision
@@ -14,7 +14,7 @@ from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, So
 
 from ecm_extract.entities.public_files import HIDDEN, public_headers
 from ecm_extract.entities.signatures import form_of, normal_type, template_names, written_type
-from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.read.facts import PackageFacts
 
 _MACRO = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}")
@@ -25,6 +25,7 @@ _WORDS = frozenset({"explicit", "virtual", "inline", "static", "friend", "conste
 _VIRTUAL = frozenset({"virtual", "pure", "override"})
 """A class with such a method is made to be derived from: its protected members are for those who do."""
 _CLOSED = frozenset({"private", "anonymous", "deleted"})
+_ELSEWHERE: Final = "elsewhere"
 
 
 def cpp_entities(facts: PackageFacts) -> Iterator[Provision]:
@@ -33,7 +34,7 @@ def cpp_entities(facts: PackageFacts) -> Iterator[Provision]:
     headers = [_Header(facts.name, path, source) for path, source in sources if source is not None]
     classes = {name for header in headers for name in header.classes}
     for header in headers:
-        yield from header.entities(classes)
+        yield from header.entities()
     for header, alias in _aliases_of_classes(headers, classes):
         yield from header.alias(alias)
 
@@ -74,12 +75,12 @@ class _Header:
         self.derived = {entry.scope for entry in source.functions if not _VIRTUAL.isdisjoint(entry.traits)}
         self.bodies = {f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.functions}
 
-    def entities(self, classes: set[str]) -> Iterator[Provision]:
-        """Yield its symbols; what it defines of classes of other headers is declared there."""
+    def entities(self) -> Iterator[Provision]:
+        """Yield its symbols."""
         for entry in self.source.classes:
             if entry.name and self._is_open(qualified(entry), entry.traits):
                 yield from self._class(entry)
-        yield from self._functions(classes - self.classes)
+        yield from self._functions()
         for constant in self.source.constants:
             if self._is_open(f"{constant.scope}::{constant.name}", constant.traits):
                 yield from self._constant(constant)
@@ -102,6 +103,7 @@ class _Header:
             owner="",
             name=name,
             bases=tuple(plain(base) for base in entry.bases),
+            given=_given(entry.bases, template_names(self._parameters(name))),
             deprecated=MARKED if "deprecated" in entry.traits else None,
             path=self.path,
             line=entry.line,
@@ -149,18 +151,21 @@ class _Header:
                 name=name,
                 type=ALIAS,
                 bases=(plain(alias.target),),
+                given=_given((alias.target,), template_names(alias.template)),
                 deprecated=MARKED if alias.deprecated else None,
                 path=self.path,
                 line=alias.line,
             )
 
-    def _functions(self, elsewhere: set[str]) -> Iterator[Provision]:
+    def _functions(self) -> Iterator[Provision]:
         groups: dict[tuple[str, str], list[Function]] = defaultdict(list)
         for entry in self.source.functions:
             local = entry.scope in self.bodies and entry.scope not in self.classes
             if entry.name.startswith(("~", "operator")) or local or "<" in entry.name or not entry.name:
                 continue
-            if entry.scope in elsewhere or (not entry.returns and _MACRO.fullmatch(entry.name)):
+            if _ELSEWHERE in entry.traits:
+                continue  # its declaration is what users see, with the defaults of its parameters
+            if not entry.returns and _MACRO.fullmatch(entry.name):
                 continue
             if self._is_open(f"{entry.scope}::{entry.name}".lstrip(":"), entry.traits):
                 groups[entry.scope, entry.name].append(entry)
@@ -202,6 +207,12 @@ class _Header:
             path=self.path,
             line=entry.line,
         )
+
+
+def _given(bases: Sequence[str], templates: Mapping[str, str]) -> tuple[tuple[str, ...], ...]:
+    """Return the template arguments of each base; nothing where none has any."""
+    found = tuple(tuple(written_type(each, templates) for each in template_arguments(base)) for base in bases)
+    return found if any(found) else ()
 
 
 def qualified(entry: Class) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
+from fnmatch import fnmatchcase
+from posixpath import dirname, join
 
 import msgspec
 from ecm_checker.hub.provision import Provision
@@ -146,6 +148,22 @@ def _setup_programs(facts: PackageFacts) -> Iterator[_Script]:
             if point.group == "console_scripts":
                 yield _Script(point.name, path, point.line)
         yield from (_Script(script, path, 1) for script in setup.scripts)
+        for rule in setup.data_files:
+            if f"{rule.destination}/".startswith(f"lib/{facts.name}/"):
+                yield from (_Script(file, path, rule.line) for file in _that_may_run(rule.files, dirname(path), facts))
+
+
+def _that_may_run(files: Sequence[str], folder: str, facts: PackageFacts) -> Iterator[str]:
+    """Files that are copied with their x bit: `ros2 run` finds these in folders below that of the package, too."""
+    places = [join(folder, file) for file in files]
+    for entry in facts.root.files:
+        if entry.executable and any(_is_at(entry.path, place) for place in places):
+            yield entry.path
+
+
+def _is_at(path: str, place: str) -> bool:
+    """Whether a path fits a pattern, in whose parts `*` stands for no slash."""
+    return path.count("/") == place.count("/") and fnmatchcase(path, place)
 
 
 def _plugins(texts: SideTexts, facts: PackageFacts) -> Iterator[Provision]:

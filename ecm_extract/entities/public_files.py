@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
-from ecm_parsers.cmake_facts import FileReference
+from ecm_parsers.cmake_facts import FileReference, Install
 
 from ecm_extract.entities.installed_packages import InstalledPackages
 from ecm_extract.entities.paths import inside
@@ -49,9 +49,15 @@ def _keeps_headers(facts: PackageFacts) -> bool:
     if not installs:
         told = [each for file in facts.cmake.values() for each in file.commands if each.name == "catkin_package"]
         return bool(told) and not any(_HEADERS in each.args for each in told)
-    folders = [entry for entry in installs if entry.kind in {"directory", "files"}]
-    texts = [text for entry in folders for text in (*entry.items, entry.destination)]
-    return not any("include" in text.lower() or "$" in text for text in texts)
+    return not any(_may_hold_headers(entry) for entry in installs if entry.kind in {"directory", "files"})
+
+
+def _may_hold_headers(rule: Install) -> bool:
+    """Whether a rule installs headers, or what only CMake knows to where they could be found."""
+    if any("include" in text.lower() for text in (*rule.items, rule.destination)):
+        return True
+    anywhere = "$" in rule.destination or rule.destination.strip("/.") == ""
+    return anywhere and any("$" in text for text in (*rule.items, rule.destination))
 
 
 def _below_include(path: str) -> str | None:

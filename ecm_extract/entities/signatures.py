@@ -69,8 +69,15 @@ def _takes_any(entry: Parameter) -> bool:
     return entry.name.startswith("*") or entry.type.endswith("...")
 
 
+def _undeduced(function: Function) -> Mapping[str, str]:
+    """Defaults of the template parameters that no argument of a call tells."""
+    told = {name for entry in function.params for name in _NAME.findall(entry.type)}
+    return {name: default for name, default in function.defaults if name not in told}
+
+
 def form_of(function: Function, virtual: bool = False, templates: Mapping[str, str] = _NOTHING) -> Form:
-    """Return the comparable form of a function."""
+    """Return the comparable form of a function; a call that gives no template arguments has its defaults."""
+    templates = {**templates, **_undeduced(function)}
     params = [entry for entry in function.params if entry.name != "/" and entry.type != "void"]
     required = sum(entry.default is None and not _takes_any(entry) for entry in params)
     return Form(

@@ -88,6 +88,22 @@ TOLD = {
         _header("// THIS CLASS IS DEPRECATED.", "template <class T>", "class Latched {", "public:", "T get();", "};"),
         {("class", "deprecated", "arm::Latched", "arm::Latched")},
     ),
+    "a class that is an instance of a template for another type now": (
+        _header("class Reader { public: void read(const vector<int> & row); };"),
+        _header(
+            "template <class T> class AnyReader { public: void read(const vector<T> & row); };",
+            "using Reader = AnyReader<bool>;",
+        ),
+        {
+            ("class", "added", None, "arm::AnyReader"),
+            ("method", "signature_changed", "read", "read"),
+        },
+    ),
+    "a template whose parameter is another class by default": (
+        _class("static std::shared_ptr<Driver> make(int id);"),
+        _class("template <class T = Other> static std::shared_ptr<T> make(int id);"),
+        {("method", "signature_changed", "make", "make")},
+    ),
     "a class behind a macro with comments": (
         _header(
             "#define BOTH() \\",
@@ -117,6 +133,40 @@ QUIET = {
         _class("template <class T> T get(int name) const;")
         | _header("template <class T> T Driver::get(int name) const { return T(); }", name="driver_impl.hpp"),
         _class("template <class T> T get(int name) const;") | {"arm/include/arm/driver_impl.hpp": "#pragma once\n"},
+    ),
+    "a body in another header, of a class that a using directive names": (
+        _class("template <class T> T get(int name) const;", "void stop();")
+        | {
+            "arm/include/arm/driver_impl.hpp": "#pragma once\nusing namespace arm;\n"
+            "template <class T> T Driver::get(int name) const { return T(); }\n"
+            "inline void Driver::stop() {}\n"
+        },
+        _class("template <class T> T get(int name, bool strict = false) const;", "void stop(bool now = false);")
+        | {
+            "arm/include/arm/driver_impl.hpp": "#pragma once\nusing namespace arm;\n"
+            "template <class T> T Driver::get(int name, bool strict) const { return T(); }\n"
+            "inline void Driver::stop(bool now) {}\n"
+        },
+    ),
+    "a class that is an instance of a template now": (
+        _header("class Reader { public: explicit Reader(Grid<int> & grid); void read(const vector<int> & row); };"),
+        _header(
+            "template <class T> class AnyReader {",
+            "public: explicit AnyReader(Grid<T> & grid); void read(const vector<T> & row); };",
+            "using Reader = AnyReader<int>;",
+        ),
+    ),
+    "a method that is in a base with template arguments now": (
+        _header("class Reader { public: void read(const vector<int> & row); };"),
+        _header(
+            "template <class A, class T> class AnyReader { public: void read(const vector<T> & row); };",
+            "template <class T> class Middle : public AnyReader<bool, T> {};",
+            "class Reader : public Middle<int> {};",
+        ),
+    ),
+    "a template whose parameter is the class by default": (
+        _class("static std::shared_ptr<Driver> make(int id);"),
+        _class("template <class T = Driver> static std::shared_ptr<T> make(int id);"),
     ),
     "an empty body with a stray semicolon": (
         _class("void stop();"),

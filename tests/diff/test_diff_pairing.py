@@ -180,10 +180,12 @@ def test_what_only_shares_its_kind_is_no_new_name() -> None:
 
 
 def test_parts_of_classes_do_not_move_to_other_classes() -> None:
-    """Each controller has its own `Params`."""
+    """Each controller has its own `Params`; what a namespace holds may be in another one now."""
     old = [entity("class", "diff::DiffController::Params", owner="", package="diff")]
     new = [entity("class", "tri::TriController::Params", owner="", package="tri", path="other.hpp")]
-    assert {pair.how for pair in paired(old, new)} == {"same"}
+    whole = entity("class", "diff::DiffController", owner="", package="diff")
+    assert {pair.how for pair in paired([*old, whole], [*new, whole])} == {"same"}
+    assert {pair.how for pair in paired(old, new)} == {"moved"}
 
 
 def test_a_node_keeps_its_parameters_under_another_target() -> None:
@@ -341,3 +343,27 @@ def test_a_function_of_another_package_has_more_in_common_than_its_name(after: s
     old = entity("function", "arm.trajectory.main", "", package="arm", path="arm/trajectory.py", forms=form)
     new = entity("function", after, "", package="other", path="other/it.py", forms=form)
     assert {pair.how for pair in paired([old], [new])} == {how}
+
+
+def _limit(owner: str, **more: Any) -> Provision:
+    return entity("constant", "LIMIT", owner, type=more.pop("type", "int"), default=3, path="include/pkg/limits.hpp")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "holders", "how"),
+    [
+        (_limit("pkg::Arm"), _limit("pkg::Leg"), (), {"moved"}),
+        (_limit("pkg::Arm"), _limit("pkg::Leg"), ("pkg::Arm",), {"same"}),
+        (_limit("pkg::arm"), _limit("pkg::leg"), ("pkg::arm", "pkg::leg"), {"same"}),
+        (_limit("pkg::arm"), _limit("pkg::leg"), (), {"moved"}),
+        (_limit("pkg::Arm"), _limit("limbs::Arm"), ("pkg::Arm", "limbs::Arm"), {"moved"}),
+        (_limit("pkg::mode", type="mode"), _limit("pkg::state", type="state"), (), {"same"}),
+    ],
+)
+def test_constants_of_classes_and_of_namespaces(
+    old: Provision, new: Provision, holders: tuple[str, ...], how: set[str]
+) -> None:
+    """Whether the limit of one is that of another tells what both are, not how they are spelt."""
+    classes = [entity("class", name, "", path="include/pkg/limits.hpp") for name in holders]
+    pairs = paired([old, *classes], [new, *classes])
+    assert {pair.how for pair in pairs if (pair.old or pair.new).kind == "constant"} == how  # type: ignore[union-attr]

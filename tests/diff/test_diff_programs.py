@@ -40,6 +40,26 @@ def test_headers_that_nobody_is_told_of(told, installs: str, is_public: bool) ->
     assert any(entry[0] == "method" for entry in found) is is_public
 
 
+FIND = "project(arm)\nfind_package(ament_cmake)\nadd_library(arm src/arm.cpp)\nament_package()\n"
+LIBRARY = "install(TARGETS arm DESTINATION lib/arm)\n"
+
+
+@pytest.mark.parametrize(
+    ("rule", "is_public"),
+    [
+        ("install(FILES ${FOREIGN_DIR}/libforeign.so DESTINATION lib)\n", False),
+        ("install(FILES ${FOREIGN_FILES} DESTINATION ${FOREIGN_DIR})\n", True),
+        ("install(DIRECTORY ${FOREIGN_FOLDERS} DESTINATION .)\n", True),
+        ("install(FILES ${FOREIGN_FILES} DESTINATION include)\n", True),
+    ],
+)
+def test_headers_beside_what_only_cmake_knows(told, rule: str, is_public: bool) -> None:  # type: ignore[no-untyped-def]
+    """What is put into a folder where no header is found installs none, whatever it is."""
+    old = {"arm/CMakeLists.txt": FIND + LIBRARY + rule, "arm/include/arm/arm.hpp": HEADER, "arm/src/arm.cpp": SOURCE}
+    found = told(old, {"arm/include/arm/arm.hpp": HEADER.replace("move", "go")})
+    assert any(entry[0] == "method" for entry in found) is is_public
+
+
 SETUP = "from setuptools import setup\nsetup(name='arm', packages=['arm'], entry_points={entry})\n"
 ENTRY = "{'console_scripts': ['arm = arm.driver:main']}"
 DRIVER = "class Driver:\n    def move(self):\n        pass\ndef main():\n    Driver().move()\n"
@@ -110,3 +130,27 @@ def test_objects_that_a_build_keeps_are_no_library(told, kind: str, is_told: boo
     old = {"arm/CMakeLists.txt": make, "arm/src/arm.cpp": "int arm() { return 1; }\n"}
     found = told(old, {"arm/CMakeLists.txt": "project(arm)\n"})
     assert (("library", "removed", "arm", None) in found) is is_told
+
+
+COPIED = "from setuptools import setup\nfrom glob import glob\nsetup(name='arm', packages=[], data_files=[{files}])\n"
+SCRIPT = "#!/bin/sh\necho up\n"
+MAKE = "project(arm)\nfind_package(catkin)\ncatkin_package()\ninstall(PROGRAMS scripts/up DESTINATION lib/arm)\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "script", "is_there"),
+    [
+        ("('lib/arm', ['scripts/up'])", SCRIPT, True),
+        ("('lib/arm/scripts', glob('scripts/*'))", SCRIPT, True),
+        ("('lib/arm', ['scripts/up'])", SCRIPT.removeprefix("#!"), False),
+        ("('share/arm', ['scripts/up'])", SCRIPT, False),
+        ("('lib/armor', ['scripts/up'])", SCRIPT, False),
+    ],
+)
+def test_programs_among_data_files(told, files: str, script: str, is_there: bool) -> None:  # type: ignore[no-untyped-def]
+    """What setup.py copies to where programs lie, and may be run, is a program of the package."""
+    old = {"arm/CMakeLists.txt": MAKE, "arm/scripts/up": SCRIPT}
+    found = told(
+        old, {"arm/CMakeLists.txt": None, "arm/setup.py": COPIED.format(files=files), "arm/scripts/up": script}
+    )
+    assert any(entry[0] == "executable" for entry in found) is not is_there

@@ -72,6 +72,29 @@ def test_a_new_form_fits_old_users_or_not(new: Form, old: Form, fits: bool) -> N
     assert accepts(new, old) is fits
 
 
+def _form(returns: str, *types: str) -> Form:
+    return Form(types=types, required=len(types), returns=returns)
+
+
+@pytest.mark.parametrize(
+    ("new", "old", "fits"),
+    [
+        (_form("A", "B", "const vector<A>&"), _form("uint8_t", "int", "const vector<uint8_t>&"), True),
+        (_form("A", "B", "const vector<A>&"), _form("int", "int", "const vector<uint8_t>&"), False),
+        (_form("void", "Grid<A>&", "vector<A>"), _form("void", "Grid<int>&", "vector<int>"), True),
+        (_form("void", "Grid<A>&", "vector<A>"), _form("void", "Grid<int>&", "vector<bool>"), False),
+        (_form("void", "map<A,B>"), _form("void", "map<int,pair<int,bool>>"), True),
+        (_form("void", "Grid<A>&"), _form("void", "Grid<int,bool>&"), False),
+        (_form("void", "Grid<A>&"), _form("void", "Map<int>&"), False),
+        (_form("void", "Grid<A>&"), _form("void", "const Grid<int>&"), False),
+        (_form("void", "Grid<T1>&"), _form("void", "Grid<int>&"), False),
+    ],
+)
+def test_a_template_fits_what_it_can_be_deduced_from(new: Form, old: Form, fits: bool) -> None:
+    """Who called a function may call the template that took its place, where one argument each fits its parameters."""
+    assert accepts(new, old) is fits
+
+
 @pytest.mark.parametrize(
     ("new", "old", "fits"),
     [

@@ -46,6 +46,7 @@ class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, gc
     others: tuple[str, ...] = ()
     forms: tuple[Form, ...] = ()
     bases: tuple[str, ...] = ()
+    given: tuple[tuple[str, ...], ...] = ()
     qos: Qos | None = None
     ros: int | None = None
     advised: tuple[str, ...] = ()
@@ -197,6 +198,7 @@ def provided(provision: Provision) -> Provided:
         others=provision.others,
         forms=provision.forms,
         bases=provision.bases,
+        given=provision.given,
         qos=provision.qos,
         ros=provision.ros,
         advised=provision.advised,
@@ -227,6 +229,7 @@ def provision(package: str, row: Provided) -> Provision:
         default=row.default,
         forms=row.forms,
         bases=row.bases,
+        given=row.given,
         qos=row.qos,
         ros=row.ros,
         advised=row.advised,

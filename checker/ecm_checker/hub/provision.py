@@ -70,6 +70,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
         default: of a parameter, constant or launch argument, as data.
         forms: of a function or method.
         bases: of a class, qualified as far as the tree shows; of a node that a launch file names, what it runs.
+        given: to each of its bases, the template arguments as `forms` write types; empty where none has any.
         qos: of a topic. ros: 1, 2 or None.
         deprecated: what its own source says about its end; None when it is not deprecated.
         path, line: where it is declared.
@@ -100,6 +101,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
     default: Any = None
     forms: tuple[Form, ...] = ()
     bases: tuple[str, ...] = ()
+    given: tuple[tuple[str, ...], ...] = ()
     qos: Qos | None = None
     ros: int | None = None
     deprecated: str | None = None

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 from ecm_checker.hub.provision import ALIAS, Key, Provision
+from ecm_checker.match.arguments import for_arguments, written_for
 
 MAX_DEPTH = 20
 
@@ -48,11 +49,11 @@ class Bases:
         return self._members.get((called, cls, name))
 
     def provider(self, cls: str, called: bool, name: str) -> Provision | None:
-        """Return the member that a class inherits under a name, from its base classes only."""
-        for base in self.ancestry(cls)[1:]:
+        """Return the member that a class inherits under a name, from its base classes only, as it is for the class."""
+        for base, given in self._lineage(cls)[1:]:
             found = self._members.get((called, base, name))
             if found is not None:
-                return found
+                return for_arguments(found, given)
         return None
 
     def offers(self, cls: str, below: str, name: str) -> bool:
@@ -63,10 +64,11 @@ class Bases:
 
     def constructor(self, cls: str) -> Provision | None:
         """Return the constructor of the class that an alias stands for; None of a class, which has its own."""
+        given = dict(self._lineage(cls))
         for target in self._stands_for(cls):
             found = self._members.get((True, target, target.rpartition("::")[2]))
             if found is not None:
-                return found
+                return for_arguments(found, given.get(target, ()))
         return None
 
     def _stands_for(self, alias: str) -> Sequence[str]:
@@ -95,16 +97,22 @@ class Bases:
 
     def ancestry(self, cls: str) -> list[str]:
         """Return a class and its bases in the tree, nearest first."""
-        ordered = [cls]
-        for name in ordered:
+        return [name for name, _ in self._lineage(cls)]
+
+    def _lineage(self, cls: str) -> list[tuple[str, Sequence[str]]]:
+        """Return a class and its bases in the tree with the template arguments that it has them by, nearest first."""
+        ordered: list[tuple[str, Sequence[str]]] = [(cls, ())]
+        known = {cls}
+        for name, given in ordered:
             if len(ordered) > MAX_DEPTH:
                 break
             for entity in self._classes.get(name, ()):
-                ordered += [
-                    found
-                    for base in entity.bases
-                    if (found := self.resolve(base, name)) is not None and found not in ordered
-                ]
+                none: tuple[tuple[str, ...], ...] = ((),) * len(entity.bases)
+                for base, arguments in zip(entity.bases, entity.given or none, strict=True):
+                    found = self.resolve(base, name)
+                    if found is not None and found not in known:
+                        known.add(found)
+                        ordered.append((found, [written_for(each, given) for each in arguments]))
         return ordered
 
     def is_open(self, cls: str) -> bool:

@@ -28,6 +28,7 @@ from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
 from ecm_parsers.source.cpp_namespaces import opened
 from ecm_parsers.source.cpp_parameters import declared_name, parameters, specialized
 from ecm_parsers.source.cpp_place import Place
+from ecm_parsers.source.cpp_templates import template_parameters
 from ecm_parsers.source.cpp_vexing import is_call_of_macro
 from ecm_parsers.source.expr import Call, Expr, Items, Name, Number, Op
 from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile, Using
@@ -117,15 +118,10 @@ class DeclarationReader:
 
     def template(self, node: Node, place: Place) -> None:
         """A template: its parameters go to what it declares."""
-        listed = node.child_by_field_name("parameters")
-        names = tuple([self._template_name(child) for child in listed.named_children]) if listed is not None else ()
+        names, defaults = template_parameters(self.expr, node.child_by_field_name("parameters"))
         for child in node.named_children:
             if child.type != "template_parameter_list":
-                self.read(child, Place(place.scope, place.access, place.anonymous, names))
-
-    def _template_name(self, node: Node) -> str:
-        words = self.expr.text(node).split("=")[0].replace("...", " ").split()
-        return words[-1] if words else ""
+                self.read(child, Place(place.scope, place.access, place.anonymous, names, defaults))
 
     def classes_of(self, node: Node, place: Place) -> None:
         """A class or struct with its members; one without a name is called like what it declares."""
@@ -195,7 +191,8 @@ class DeclarationReader:
             read.read(body)
         for local in read.local_names:
             self._local_name(local.node, Place(local.scope if local.node.type in CLASSES else f"{local.scope}()"))
-        traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
+        elsewhere = ("elsewhere",) if scope != place.scope else ()
+        traits = (*place.traits(), *elsewhere, *function_traits(self.expr, node, declarator, words, body is None))
         specializes = specialized(self.expr, named) if place.written == () else None
         returns = self.expr.type_text(kind) if kind is not None else ""
         self.functions.append(
@@ -211,6 +208,7 @@ class DeclarationReader:
                 attributes(self.expr, node),
                 read.writer.flow(),
                 specializes=specializes,
+                defaults=place.defaults,
             )
         )
         self.functions.extend(read.functions)
@@ -238,7 +236,9 @@ class DeclarationReader:
         name, kind = node.child_by_field_name("name"), node.child_by_field_name("type")
         if name is not None and kind is not None:
             target, outdated = self.expr.type_text(kind), bool(announced_end(self.expr, node))
-            self.aliases.append(Alias(self.expr.text(name), place.scope, target, lines_of(node)[0], outdated))
+            own = self.expr.text(name)
+            line, template = lines_of(node)[0], place.template
+            self.aliases.append(Alias(own, place.scope, target, line, outdated, template=template))
 
     def _local_name(self, node: Node, place: Place) -> None:
         """Another way to name something within a function; the scope with `()` keeps it from being one for others."""

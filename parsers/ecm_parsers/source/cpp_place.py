@@ -6,18 +6,25 @@ from __future__ import annotations
 class Place:
     """Where a declaration stands: scope, access, anonymous namespace, and the template parameters as written.
 
-    `written` is None outside of templates, and empty for an explicit specialization.
+    `written` is None outside of templates, and empty for an explicit specialization; `defaults` are those of the
+    parameters that have one.
     """
 
-    __slots__ = ("access", "anonymous", "scope", "written")
+    __slots__ = ("access", "anonymous", "defaults", "scope", "written")
 
     def __init__(
-        self, scope: str = "", access: str = "", anonymous: bool = False, written: tuple[str, ...] | None = None
+        self,
+        scope: str = "",
+        access: str = "",
+        anonymous: bool = False,
+        written: tuple[str, ...] | None = None,
+        defaults: tuple[tuple[str, str], ...] = (),
     ) -> None:
         self.scope = scope
         self.access = access
         self.anonymous = anonymous
         self.written = written
+        self.defaults = defaults
 
     @property
     def template(self) -> tuple[str, ...]:

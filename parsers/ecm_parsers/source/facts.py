@@ -64,11 +64,12 @@ class Function(_Fact, frozen=True):
         returns: return type as written.
         line: first line. end_line: last line.
         body: its statements, those of its anonymous lambdas included; empty for a declaration.
-        template: names of template parameters.
+        template: names of template parameters. defaults: name and default of those of C++ types that have one.
         traits: of `declaration`, `static`, `virtual`, `override`, `pure`, `deleted`, `private`, `protected`,
             `anonymous` (namespace), `deprecated`, `const`, `generator`, `receiving` (one that uses what it is
             sent), `coroutine`, `reference` (it returns one,
-            or a pointer, to what may be changed), `lending` (to what may not).
+            or a pointer, to what may be changed), `lending` (to what may not), `elsewhere` (its name says in
+            which class or namespace of C++ it was declared: `void A::b() {}`).
         decorators: Python decorators or C++ attributes, as written.
         flow: how the statements of its body follow each other; empty where they simply do.
         shared: names that a Python function takes from around it to assign them (`global`, `nonlocal`).
@@ -89,6 +90,7 @@ class Function(_Fact, frozen=True):
     flow: Block = ()
     shared: tuple[str, ...] = ()
     specializes: tuple[str, ...] | None = None
+    defaults: tuple[tuple[str, str], ...] = ()
 
 
 OVERLAID: Final = "overlaid"
@@ -140,7 +142,7 @@ class Constant(_Fact, frozen=True):
 class Alias(_Fact, frozen=True):
     """`using A = B`, `typedef B A`, `namespace A = B`; the scope of one within a function ends in `()`.
 
-    `deprecated` when an attribute says so; `partly` as for `Using`.
+    `deprecated` when an attribute says so; `partly` as for `Using`; `template` are the names of its own parameters.
     """
 
     name: str
@@ -149,6 +151,7 @@ class Alias(_Fact, frozen=True):
     line: int
     deprecated: bool = False
     partly: bool = False
+    template: tuple[str, ...] = ()
 
     @property
     def local(self) -> bool:
