@@ -5,13 +5,14 @@ from __future__ import annotations
 import ast
 import warnings
 
-from ecm_parsers.launch.arguments import Arguments
-from ecm_parsers.launch.expressions import TooLongError
-from ecm_parsers.launch.interpreter import Interpreter
+from ecm_parsers.launch.interpreter import LaunchInterpreter
 from ecm_parsers.launch.lost import lost_actions
 from ecm_parsers.launch.model import LaunchFile
-from ecm_parsers.launch.sources import Sources
-from ecm_parsers.launch.values import Description, Function, Value, actions_of
+from ecm_parsers.launch.values import Description, actions_of
+from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.expressions import TooLongError
+from ecm_parsers.python.sources import Sources
+from ecm_parsers.python.values import Function, Value
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
 
@@ -52,7 +53,7 @@ def parse_launch_python(data: bytes, sources: Sources | None = None) -> Parsed[L
 
 
 def _read(tree: ast.Module, sources: Sources | None) -> Parsed[LaunchFile | None]:
-    interpreter = Interpreter(sources)
+    interpreter = LaunchInterpreter(sources)
     interpreter.run(tree.body, interpreter.module)
     entry = next(
         (interpreter.module.names.get(name) for name in ENTRY_POINTS if name in interpreter.module.names), None

@@ -1,4 +1,4 @@
-"""Methods and builtin functions that launch files call on values they build.
+"""Methods and builtin functions that files call on values they build.
 
 Only what neither runs code nor grows without bound; everything else is unknown.
 """
@@ -9,12 +9,11 @@ import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from ecm_parsers.launch.arguments import Arguments
-from ecm_parsers.launch.model import Substitution
-from ecm_parsers.launch.substitutions import joined_path
-from ecm_parsers.launch.values import (
+from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.library import joined_path
+from ecm_parsers.python.values import (
     MAX_ITEMS,
-    Description,
+    Modelled,
     Text,
     Unknown,
     Value,
@@ -23,6 +22,7 @@ from ecm_parsers.launch.values import (
     merged_text,
     template_of,
 )
+from ecm_parsers.template import Substitution
 
 _MAX_INDEX = 6
 """Digits of an index that are read: no call has as many arguments."""
@@ -67,9 +67,9 @@ _SAME = frozenset(
 
 
 def call_method(owner: Value, name: str, given: Arguments) -> Value:
-    """Return what a method of a value gives; lists, dicts and descriptions change in place."""
-    if isinstance(owner, Description):
-        return _of_description(owner, name, given)
+    """Return what a method of a value gives; lists, dicts and objects of libraries change in place."""
+    if isinstance(owner, Modelled):
+        return owner.call(name, given)
     if isinstance(owner, list):
         return _of_list(owner, name, given)
     if isinstance(owner, dict):
@@ -79,14 +79,6 @@ def call_method(owner: Value, name: str, given: Arguments) -> Value:
     if isinstance(owner, Text):
         return _of_template(owner, name, given)
     return Unknown(name)
-
-
-def _of_description(owner: Description, name: str, given: Arguments) -> Value:
-    if name == "add_action":
-        owner.actions.append(given.get("action", 0))
-    elif name == "add_entity":
-        owner.actions.append(given.get("entity", 0))
-    return None
 
 
 def _of_list(owner: list[Value], name: str, given: Arguments) -> Value:

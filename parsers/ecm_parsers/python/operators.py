@@ -1,4 +1,4 @@
-"""Operators of launch files written in Python, over plain data and over texts with substitutions."""
+"""Operators of Python, over plain data and over texts with substitutions."""
 
 from __future__ import annotations
 
@@ -8,19 +8,10 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ecm_parsers.expression_operators import COMPARE
-from ecm_parsers.launch.methods import hashable, percent_formatted
-from ecm_parsers.launch.model import Substitution, Template
-from ecm_parsers.launch.substitutions import joined_path
-from ecm_parsers.launch.values import (
-    MAX_ITEMS,
-    Condition,
-    Description,
-    Text,
-    Unknown,
-    Value,
-    merged_text,
-    template_of,
-)
+from ecm_parsers.python.library import joined_path
+from ecm_parsers.python.methods import hashable, percent_formatted
+from ecm_parsers.python.values import MAX_ITEMS, Condition, Modelled, Text, Unknown, Value, merged_text, template_of
+from ecm_parsers.template import Substitution, Template, negated
 
 MAX_NUMBER = 1e15
 _ARITHMETIC: Mapping[type[ast.operator], Callable[[float, float], float]] = MappingProxyType(
@@ -67,8 +58,8 @@ def _arithmetic(kind: ast.operator, left: float, right: float) -> Value:
 
 
 def _added(left: Value, right: Value) -> Value:
-    left = left.actions if isinstance(left, Description) else left
-    right = right.actions if isinstance(right, Description) else right
+    left = left.items if isinstance(left, Modelled) else left
+    right = right.items if isinstance(right, Modelled) else right
     if isinstance(left, list | tuple) and isinstance(right, list | tuple):
         joined = [*left, *right]
         return joined if isinstance(left, list) else tuple(joined)
@@ -122,11 +113,6 @@ def _is_known(value: Value) -> bool:
     return value is None or isinstance(value, str | int | float | bool | dict)
 
 
-def negated(condition: Template) -> Template:
-    """Return the condition that holds where another does not."""
-    return (Substitution("not", (condition,)),)
-
-
 def truth(value: Value) -> bool | Template:
     """Return whether a value holds, or the condition under which it does."""
     if isinstance(value, Text):
@@ -135,8 +121,6 @@ def truth(value: Value) -> bool | Template:
         return value.holds
     if isinstance(value, Unknown):
         return (Substitution("unknown", ((value.text,),)),)
-    if isinstance(value, Description):
-        return True
     return bool(value)
 
 
