@@ -20,7 +20,7 @@ class Substitution(msgspec.Struct, frozen=True, tag=True, dict=True):
         kind: `arg` (name, default?), `env` (name, default?), `find` (package), `find_prefix` (package),
             `eval` (expression text), `dirname`, `anon` (name), `command` (words), `not`, `and`, `or`, `equals`, `in`,
             `lower`, `if` (condition, then, else), `has_parameters` (file, node), `file` (path), `yaml` (path),
-            `unknown` (source text), or `too_large`, which stands for more than is read.
+            `files` (pattern), `unknown` (source text), or `too_large`, which stands for more than is read.
         args: templates, in the order above.
     """
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ecm_parsers.launch.model import Action, Group
 from ecm_parsers.launch.values import actions_of, guarded, starts_something
+from ecm_parsers.python.calls import Returned
 from ecm_parsers.python.values import Condition, Object, Text, Unknown, Value, template_of
 from ecm_parsers.template import Substitution, Template, negated
 
@@ -34,7 +35,7 @@ def under(guard: Template | None, value: Value, line: int) -> Value:
     return found[0]
 
 
-def returned_value(returned: list[tuple[Template | None, Value]], line: int) -> Value:
+def returned_value(returned: Returned, line: int) -> Value:
     """Return what a function gives that returns in several places."""
     if not returned:
         return None

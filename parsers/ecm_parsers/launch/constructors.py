@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ecm_parsers.launch.actions import ACTIONS
 from ecm_parsers.launch.substitutions import SUBSTITUTIONS
-from ecm_parsers.python.library import LIBRARY, LOADERS, TABLES
+from ecm_parsers.python.library import CONSTANTS, LIBRARY, LOADERS, TABLES
 from ecm_parsers.python.models import Models
 from ecm_parsers.python.values import as_str
 
@@ -15,5 +15,6 @@ LAUNCH = Models(
         "launch_configurations": lambda given: as_str(SUBSTITUTIONS["LaunchConfiguration"](given)),
     },
     loaders={**LOADERS, "load_python_launch_file_as_module": 0},
+    constants=CONSTANTS,
     outside=frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml", "launch_testing", "ament_index_python"}),
 )

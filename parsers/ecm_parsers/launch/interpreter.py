@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Callable
 
 from ecm_parsers.launch.branches import choice, returned_value, under
@@ -10,14 +11,16 @@ from ecm_parsers.launch.doubts import Doubts
 from ecm_parsers.launch.model import Argument, Group
 from ecm_parsers.launch.values import actions_of
 from ecm_parsers.python.arguments import Arguments
-from ecm_parsers.python.calls import Calls
+from ecm_parsers.python.calls import Calls, Returned
 from ecm_parsers.python.interpreter import Interpreter
+from ecm_parsers.python.methods import LOSING, call_method
 from ecm_parsers.python.reading import MAX_BYTES
 from ecm_parsers.python.sources import Sources
 from ecm_parsers.python.values import MAX_ITEMS, Function, Reference, Text, Unknown, Value, as_str
 from ecm_parsers.template import Substitution, Template
 from ecm_parsers.xml_tree import parse_xml
 
+_ADDING = frozenset({"append", "add_action", "extend", "insert"})
 _OF_CONTEXT = frozenset({"launch_configurations", "perform_substitution"})
 
 
@@ -37,11 +40,16 @@ class LaunchInterpreter(Interpreter):
         """Return a value with the condition in it."""
         return choice(holds, first, second)
 
-    def under_guard(self, value: Value, line: int) -> Value:
-        """Return a value whose actions carry the condition of the branch."""
-        return under(self._guard, value, line)
+    def method(self, owner: Value, name: str, given: Arguments, written: ast.expr) -> Value:
+        """Return what a method gives; what it adds carries the condition of the branch, and nothing is taken away."""
+        if name in _ADDING and self._guard is not None:
+            positional = tuple(under(self._guard, value, given.line) for value in given.positional)
+            given = Arguments(positional, given.keywords, given.line)
+        if name in LOSING and self._guard is not None:
+            return Unknown(name)
+        return call_method(owner, name, given)
 
-    def returned(self, found: list[tuple[Template | None, Value]], line: int) -> Value:
+    def returned(self, found: Returned, line: int) -> Value:
         """Return what is returned with the conditions in it."""
         return returned_value(found, line)
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from ecm_parsers.launch.model import Action, Data, Group, ParameterFile, ParameterSource, ParameterValue, Typing, Unread
 from ecm_parsers.python.arguments import Arguments
-from ecm_parsers.python.values import MAX_DEPTH, Modelled, Object, Text, Unknown, Value, is_yaml_file, template_of
+from ecm_parsers.python.values import MAX_DEPTH, Many, Modelled, Object, Text, Unknown, Value, is_yaml_file, template_of
 from ecm_parsers.template import Template
 
 
@@ -70,6 +70,7 @@ def parameter_sources(value: Value, line: int) -> tuple[ParameterSource, ...]:
     """Return what `parameters=[...]` sets: maps, files and what cannot be known."""
     found: list[ParameterSource] = []
     for item in value if isinstance(value, list | tuple) else [value]:
+        item = item.each if isinstance(item, Many) else item
         if isinstance(item, ParameterFile | ParameterValue):
             found.append(item)
         elif isinstance(item, dict):
@@ -103,6 +104,8 @@ def actions_of(value: Value, depth: int = 0) -> tuple[Action, ...]:
         value = value.made if value.made is not None else Unknown(value.cls.name, value.line)
     if isinstance(value, Description):
         value = value.actions
+    if isinstance(value, Many):
+        value = value.each
     if isinstance(value, list | tuple) and depth < MAX_DEPTH:
         return tuple(action for item in value for action in actions_of(item, depth + 1))
     if isinstance(value, Unknown) and value.line:

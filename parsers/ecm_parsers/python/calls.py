@@ -8,13 +8,13 @@ import sys
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeAlias
 
 from ecm_parsers.python.arguments import Arguments
 from ecm_parsers.python.classes import filled_fields, is_instance, is_substitution, made_by_base, member, super_of
 from ecm_parsers.python.expressions import Expressions, source_of
 from ecm_parsers.python.imports import Imports
-from ecm_parsers.python.methods import call_builtin, call_method
+from ecm_parsers.python.methods import call_builtin
 from ecm_parsers.python.models import Models
 from ecm_parsers.python.reading import exists, globbed, loaded
 from ecm_parsers.python.sources import NoSources, Sources
@@ -35,6 +35,8 @@ from ecm_parsers.python.watching import Watcher
 from ecm_parsers.template import Template
 
 MAX_CALLS = 20
+Returned: TypeAlias = list[tuple[Template | None, Value]]
+"""What statements return, each with the condition under which."""
 _OF_DATA = frozenset({"get", "items", "keys", "values"})
 _OF_PATHS: Mapping[str, Callable[[Sources, Value, Value], Value]] = MappingProxyType(
     {
@@ -60,15 +62,11 @@ class Calls(Expressions):
         self._site = 0
 
     @abstractmethod
-    def under_guard(self, value: Value, line: int) -> Value:
-        """Return what a list gets where it is given a value in a branch that is not decided."""
-
-    @abstractmethod
-    def returned(self, found: list[tuple[Template | None, Value]], line: int) -> Value:
+    def returned(self, found: Returned, line: int) -> Value:
         """Return what a function gives of what it returns, each with the condition under which."""
 
     @abstractmethod
-    def run(self, body: list[ast.stmt], scope: Scope) -> list[tuple[Template | None, Value]]:
+    def run(self, body: list[ast.stmt], scope: Scope) -> Returned:
         """Read statements; returns what they return, each with the condition under which."""
 
     def loaded(self, value: Value) -> Value:
@@ -88,13 +86,14 @@ class Calls(Expressions):
         if isinstance(callee, Function):
             return self.call(callee, given)
         if isinstance(callee, Method):
-            return self._method(callee, given)
+            return self._method(callee, given, node.func)
         if isinstance(callee, Class):
             return self._object(callee, given)
         if isinstance(callee, Reference):
             found = super_of(scope) if callee.path == "super" else self._referenced(callee, given)
             if not isinstance(found, Unknown):
                 return found
+            self.watcher.unread(callee.path, given)
         return Unknown(source_of(node), 0 if _starts_nothing(node.func) else given.line)
 
     def _object(self, cls: Class, given: Arguments) -> Value:
@@ -119,10 +118,7 @@ class Calls(Expressions):
             owner.holder.made = made_by_base(owner.cls, given, self.models, above=True)
         return None
 
-    def _method(self, callee: Method, given: Arguments) -> Value:
-        if callee.name in {"append", "add_action", "extend", "insert"} and self._guard is not None:
-            positional = tuple(self.under_guard(value, given.line) for value in given.positional)
-            given = Arguments(positional, given.keywords, given.line)
+    def _method(self, callee: Method, given: Arguments, written: ast.expr) -> Value:
         if isinstance(callee.owner, Module):
             return callee.owner
         if isinstance(callee.owner, Super):
@@ -130,7 +126,7 @@ class Calls(Expressions):
         if isinstance(callee.owner, Text | str) and callee.name in _OF_PATHS:
             return _OF_PATHS[callee.name](self.sources, callee.owner, given.get("", 0))
         owner = self.loaded(callee.owner) if callee.name in _OF_DATA else callee.owner
-        return call_method(owner, callee.name, given)
+        return self.method(owner, callee.name, given, written)
 
     def _referenced(self, callee: Reference, given: Arguments) -> Value:
         special = self.SPECIAL.get(callee.last)

@@ -11,10 +11,11 @@ from ecm_parsers.python.classes import member
 from ecm_parsers.python.library import LIBRARY
 from ecm_parsers.python.methods import hashable
 from ecm_parsers.python.models import Models
-from ecm_parsers.python.operators import binary, compare, subscript, truth
+from ecm_parsers.python.operators import binary, compare, signed, subscript, truth
 from ecm_parsers.python.values import (
     Class,
     Function,
+    Many,
     Method,
     Modelled,
     Module,
@@ -25,7 +26,6 @@ from ecm_parsers.python.values import (
     Unknown,
     Value,
     expanded,
-    is_yaml_file,
     merged_text,
     template_of,
 )
@@ -54,8 +54,12 @@ class Expressions(ABC):
     """Evaluates expressions; whoever reads statements says what calls and assignments do.
 
     Attributes:
+        attributes: what the file gives to what is not its own, by dotted name.
         steps: evaluated nodes. line: that is being read. problem: the first text that was too large to be kept.
     """
+
+    IS_STRICT = False
+    """Whether what may be is never told as what is."""
 
     def __init__(self, models: Models, watcher: Watcher | None = None) -> None:
         self.models = models
@@ -63,6 +67,7 @@ class Expressions(ABC):
         self.steps = 0
         self.line = 0
         self.problem: Diagnostic | None = None
+        self.attributes: dict[str, Value] = {}
         self._work = 0
 
     @abstractmethod
@@ -82,6 +87,10 @@ class Expressions(ABC):
         """Return what a name, or an expression, holds that depends on a condition."""
 
     @abstractmethod
+    def method(self, owner: Value, name: str, given: Arguments, written: ast.expr) -> Value:
+        """Return what a method of a value gives, which may change it; `written` is where it is called."""
+
+    @abstractmethod
     def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
         """Bind a value to what stands on the left side."""
 
@@ -93,6 +102,12 @@ class Expressions(ABC):
         reader = self._EXPRESSIONS.get(type(node))
         found = reader(self, node, scope) if reader is not None else Unknown(source_of(node))
         self._weigh(found, node.lineno)
+        if isinstance(found, Reference):
+            found = self.attributes.get(found.path, self.models.constants.get(found.path, found))
+        return self.kept(found, node)
+
+    def kept(self, found: Value, node: ast.expr) -> Value:
+        """Return the value of an expression as it is handed on."""
         return found
 
     def _weigh(self, found: Value, line: int) -> None:
@@ -150,7 +165,8 @@ class Expressions(ABC):
         items: list[Value] = []
         for element in node.elts:
             if isinstance(element, ast.Starred):
-                items += self.items(self.value(element.value, scope)) or []
+                more = self.value(element.value, scope)
+                items += [Many(more)] if (listed := self.items(more)) is None else listed
             else:
                 items.append(self.value(element, scope))
         return tuple(items) if isinstance(node, ast.Tuple) else items
@@ -160,7 +176,7 @@ class Expressions(ABC):
         for key_node, value_node in zip(node.keys, node.values, strict=True):
             value = self.value(value_node, scope)
             if key_node is None:
-                table.update(value if isinstance(value, dict) else {value: value} if is_yaml_file(value) else {})
+                self.method(table, "update", Arguments((value,), {}, node.lineno), value_node)
                 continue
             key = self.value(key_node, scope)
             if isinstance(key, list | tuple):
@@ -170,26 +186,39 @@ class Expressions(ABC):
         return table
 
     def _comprehension(self, node: ast.ListComp | ast.GeneratorExp | ast.SetComp, scope: Scope) -> Value:
-        return [self.value(node.elt, inner) for inner in self._loops(node.generators, Scope({}, scope))]
+        rounds = self._loops(node.generators, Scope({}, scope))
+        return [Many(self.value(node.elt, inner)) if many else self.value(node.elt, inner) for inner, many in rounds]
 
     def _dict_comprehension(self, node: ast.DictComp, scope: Scope) -> Value:
         table: dict[Value, Value] = {}
-        for inner in self._loops(node.generators, Scope({}, scope)):
-            key = self.value(node.key, inner)
-            if hashable(key):
-                table[key] = self.value(node.value, inner)
+        for inner, many in self._loops(node.generators, Scope({}, scope)):
+            key, value = self.value(node.key, inner), self.value(node.value, inner)
+            entry = (Many(key) if many else key, value)
+            self.method(table, "__setitem__", Arguments(entry, {}, node.lineno), node.key)
         return table
 
-    def _loops(self, generators: list[ast.comprehension], scope: Scope) -> Iterator[Scope]:
+    def _loops(
+        self, generators: list[ast.comprehension], scope: Scope, *, many: bool = False
+    ) -> Iterator[tuple[Scope, bool]]:
+        """Yield the names of each round, and whether it stands for any number of them."""
         if not generators:
-            yield scope
+            yield scope, many
             return
         first, *rest = generators
-        items = self.items(self.value(first.iter, scope))
-        for item in [Unknown(source_of(first.target))] if items is None else items:
-            self.assign(first.target, item, scope)
-            if all(truth(self.value(test, scope)) is not False for test in first.ifs):
-                yield from self._loops(rest, scope)
+        for item in self.rounds(first.iter, first.target, scope):
+            self.assign(first.target, item.each if isinstance(item, Many) else item, scope)
+            tests = [truth(self.value(test, scope)) for test in first.ifs]
+            if False not in tests:
+                perhaps = isinstance(item, Many) or (self.IS_STRICT and tests.count(True) < len(tests))
+                yield from self._loops(rest, scope, many=many or perhaps)
+
+    def rounds(self, node: ast.expr, target: ast.expr, scope: Scope) -> list[Value]:
+        """Return what a loop goes through: any number of elements where that is not known."""
+        items = self.items(self.value(node, scope))
+        unknown = Many(Unknown(source_of(target)))
+        if items is None:
+            return [unknown]
+        return [unknown if isinstance(item, Many) and isinstance(item.each, Unknown) else item for item in items]
 
     def _binary(self, node: ast.BinOp, scope: Scope) -> Value:
         return binary(node.op, self.value(node.left, scope), self.value(node.right, scope))
@@ -220,9 +249,7 @@ class Expressions(ABC):
             self.watcher.tested(value, node.lineno)
             holds = truth(value)
             return not holds if isinstance(holds, bool) else Text(negated(holds))
-        if isinstance(node.op, ast.USub) and isinstance(value, int | float):
-            return -value
-        return Unknown(source_of(node))
+        return signed(node.op, value) if isinstance(value, int | float) else Unknown(source_of(node))
 
     def _compare(self, node: ast.Compare, scope: Scope) -> Value:
         values = [self.value(part, scope) for part in (node.left, *node.comparators)]

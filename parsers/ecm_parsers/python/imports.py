@@ -6,11 +6,11 @@ Files share their helpers by `import`, by `importlib`, and by what else a librar
 from __future__ import annotations
 
 import ast
-import warnings
 from collections.abc import Callable, Iterator
 
 from ecm_parsers.python.models import Models
 from ecm_parsers.python.sources import Sources
+from ecm_parsers.python.syntax import parsed
 from ecm_parsers.python.values import Module, Reference, Scope, Value
 from ecm_parsers.template import Template
 from ecm_parsers.text import decode
@@ -91,9 +91,7 @@ def parsed_module(data: bytes) -> ast.Module | None:
     if len(data) > MAX_BYTES:
         return None
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            return ast.parse(decode(data)[0])
+        return parsed(decode(data)[0])
     except (SyntaxError, RecursionError, MemoryError, ValueError):
         return None
 

@@ -5,11 +5,13 @@ Source: docs.python.org, `os`, `os.path`, `pathlib`, `math`; PyYAML.
 
 from __future__ import annotations
 
+import math
+import posixpath
 from collections.abc import Mapping
 from types import MappingProxyType
 
 from ecm_parsers.python.arguments import Arguments, Constructor
-from ecm_parsers.python.values import Text, Unknown, Value, as_str, merged_text, template_of
+from ecm_parsers.python.values import Many, Text, Unknown, Value, as_str, merged_text, template_of
 from ecm_parsers.template import Substitution, Template
 
 
@@ -61,8 +63,22 @@ def _parent(given: Arguments) -> Value:
 def _basename(given: Arguments) -> Value:
     parts = given.template("path", 0)
     if parts and isinstance(parts[-1], str) and ("/" in parts[-1] or len(parts) == 1):
-        return parts[-1].rsplit("/", 1)[-1]
+        name = parts[-1].rsplit("/", 1)[-1]
+        return Unknown("basename") if name == ".." else name
     return Unknown("basename")
+
+
+def _splitext(given: Arguments) -> Value:
+    parts = given.template("p", 0)
+    if not parts or not isinstance(parts[-1], str):
+        return Unknown("splitext")
+    stem, suffix = posixpath.splitext(parts[-1])
+    return merged_text((*parts[:-1], stem)), suffix
+
+
+def _glob(given: Arguments) -> Value:
+    """Any number of files, whose names are like the pattern."""
+    return [Many(substituted("files", given.template("pathname", 0)))]
 
 
 def _yaml(given: Arguments) -> Value:
@@ -88,6 +104,9 @@ LIBRARY: Mapping[str, Constructor] = MappingProxyType(
         "join": _os_path_join,
         "dirname": _parent,
         "basename": _basename,
+        "splitext": _splitext,
+        "glob": _glob,
+        "iglob": _glob,
         "abspath": _same,
         "realpath": _same,
         "normpath": _same,
@@ -95,6 +114,8 @@ LIBRARY: Mapping[str, Constructor] = MappingProxyType(
     }
 )
 """By the last part of the name of a function."""
+CONSTANTS: Mapping[str, Value] = MappingProxyType(dict.fromkeys(("pi", "math.pi", "numpy.pi"), math.pi))
+"""By the dotted name; a name alone is that of `from math import *`."""
 TABLES: Mapping[str, Constructor] = MappingProxyType({"environ": LIBRARY["getenv"]})
 """What an item of a table is, by the last part of its name."""
 LOADERS: Mapping[str, int] = MappingProxyType({"SourceFileLoader": 1, "spec_from_file_location": 1})

@@ -6,6 +6,7 @@ Lists and dicts are mutable here, since files build them step by step.
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -24,12 +25,13 @@ class Text:
     """A text with substitutions, or one substitution; `TOO_LARGE` where it has too many.
 
     `is_str` tells that it is a `str` when the file is run, not a substitution of `launch`; `is_performed` that it is
-    the text itself of what it substitutes.
+    the text itself of what it substitutes; `line` where it is written, if that was asked for.
     """
 
     parts: Template
     is_str: bool = field(default=False, compare=False)
     is_performed: bool = field(default=False, compare=False)
+    line: int = field(default=0, compare=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parts", bounded(self.parts))
@@ -68,6 +70,14 @@ class Reference:
     def last(self) -> str:
         """The part after the last dot."""
         return self.path.rsplit(".", 1)[-1]
+
+
+@dataclass(frozen=True, slots=True)
+class Many:
+    """Any number of elements of a list, or of entries of a map, all of them like `each`."""
+
+    each: Value
+    line: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -184,6 +194,8 @@ def template_of(value: Value, depth: int = 0) -> Template:
         return value.holds
     if isinstance(value, Object) and value.made is not None:
         return template_of(value.made, depth + 1)
+    if isinstance(value, Many):
+        return template_of(value.each, depth + 1)
     return (Substitution("unknown", ((shown(value),),)),)
 
 
@@ -191,7 +203,14 @@ def shown(value: Value) -> str:
     """Return what an unknown value is called in the file."""
     if isinstance(value, Object):
         return value.cls.name
+    if isinstance(value, Reference):
+        return value.path
     return value.text if isinstance(value, Unknown) else type(value).__name__
+
+
+def is_counted(items: Iterable[Value]) -> bool:
+    """Tell whether a list or map has as many elements as are known of it."""
+    return not any(isinstance(item, Many) for item in items)
 
 
 def is_yaml_file(value: Value) -> bool:
