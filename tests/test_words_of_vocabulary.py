@@ -36,7 +36,7 @@ OTHER_KINDS: Final = {
     "ecm_extract/lint/rules/lnt041.py": "targets of CMake",
     "ecm_extract/lint/rules/lnt043.py": "targets of CMake",
     "ecm_extract/read/installed.py": "targets of CMake",
-    "parsers/ecm_parsers/launch/substitutions.py": "substitutions of launch files",
+    "parsers/ecm_parsers/python/library.py": "substitutions of texts",
 }
 """Files in which something else has a `kind` that is called as one of names; the list only gets shorter."""
 

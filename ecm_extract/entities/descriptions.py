@@ -11,9 +11,9 @@ from typing import Final
 
 from ecm_checker.hub.condition import Condition
 from ecm_checker.hub.provision import HOLE, Provision
-from ecm_parsers.launch.operators import negated
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.robot_names import NamedArgument, NamedLine, RobotNames, parse_robot_names
+from ecm_parsers.template import negated
 
 from ecm_extract.entities.launch_conditions import conditions_of, together
 from ecm_extract.entities.paths import inside

@@ -7,8 +7,9 @@ from typing import Final
 
 import msgspec
 from ecm_checker.hub.condition import TRUE, Condition, Tested
-from ecm_parsers.launch.model import Action, Argument, Group, Node, Substitution, Template
+from ecm_parsers.launch.model import Action, Argument, Group, Node
 from ecm_parsers.launch.templates import plain_text, written
+from ecm_parsers.template import Substitution, Template
 
 _TESTED: Final[dict[str, Tested]] = {"arg": "argument", "env": "environment"}
 _FALSE: Final = frozenset({"false", "0", "off", "no", ""})

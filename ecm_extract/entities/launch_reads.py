@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import msgspec
-from ecm_parsers.launch.model import Include, LaunchFile, SetConfiguration, Template, Unread
+from ecm_parsers.launch.model import Include, LaunchFile, SetConfiguration, Unread
 from ecm_parsers.launch.templates import Found, all_actions, plain_text, substitutions
+from ecm_parsers.template import Template
 
 _UNREADABLE = frozenset({"eval", "unknown"})
 

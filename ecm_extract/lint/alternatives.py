@@ -7,8 +7,8 @@ from itertools import takewhile
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from ecm_parsers.cmake_tokens import parse_commands
-from ecm_parsers.python_tree import parse_python
 from ecm_parsers.source.cpp_directives import directives
+from ecm_parsers.source.python import syntax_tree
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -74,7 +74,8 @@ def _around(data: bytes, line: int) -> Iterator[tuple[Node, Node]]:
     lines = text.splitlines()
     own = lines[line - 1] if 0 < line <= len(lines) else ""
     at = (line - 1, len(own.encode()) - len(own.lstrip().encode()))
-    node = parse_python(text).descendant_for_point_range(at, at) if own.strip() else None
+    root = syntax_tree(text.encode("utf-8", "replace")) if own.strip() else None
+    node = root.descendant_for_point_range(at, at) if root is not None else None
     while node is not None and node.parent is not None:
         yield node, node.parent
         node = node.parent

@@ -9,8 +9,9 @@ from collections.abc import Iterator
 from string import ascii_letters, digits
 from typing import Final
 
-from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, PushNamespace, Remap, Template
+from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, PushNamespace, Remap
 from ecm_parsers.launch.templates import all_actions
+from ecm_parsers.template import Template
 
 _ROS_1: Final = 1
 _IN_NAME: Final = frozenset(f"{ascii_letters}{digits}_/~")

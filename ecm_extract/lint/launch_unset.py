@@ -7,8 +7,9 @@ from collections.abc import Iterator, Mapping
 from typing import Final
 
 import msgspec
-from ecm_parsers.launch.model import Action, Argument, Group, Include, LaunchFile, SetConfiguration, Template
+from ecm_parsers.launch.model import Action, Argument, Group, Include, LaunchFile, SetConfiguration
 from ecm_parsers.launch.templates import all_actions, plain_text, substitutions
+from ecm_parsers.template import Template
 
 from ecm_extract.entities.launch_reads import is_partly_read
 from ecm_extract.lint.near import nearest

@@ -7,10 +7,11 @@ from itertools import zip_longest
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 import msgspec
-from ecm_parsers.launch.model import Group, LaunchFile, Node, Substitution
+from ecm_parsers.launch.model import Group, LaunchFile, Node
 from ecm_parsers.launch.templates import all_actions, plain_text
 from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import SourceFile
+from ecm_parsers.template import Substitution
 
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.lint.workspace import Workspace

@@ -26,10 +26,9 @@ from ecm_parsers.launch.model import (
     ParameterSource,
     ParameterValue,
     Remap,
-    Substitution,
-    Template,
 )
 from ecm_parsers.launch.templates import holed, plain_text, written
+from ecm_parsers.template import Substitution, Template
 
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.launch_conditions import conditions_of, together

@@ -10,7 +10,7 @@ from functools import partial
 from typing import Any, Protocol
 
 from ecm_parsers.expression import ExpressionError, UnknownNameError
-from ecm_parsers.launch.model import Substitution, Template
+from ecm_parsers.template import Substitution, Template
 
 from ecm_extract.system.model import Text
 

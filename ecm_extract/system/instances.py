@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_parsers.launch.model import Node, ParameterFile, Remap, Template
+from ecm_parsers.launch.model import Node, ParameterFile, Remap
+from ecm_parsers.template import Template
 
 from ecm_extract.system.command_line import GivenValue, ros1_given, ros2_given
 from ecm_extract.system.model import Instance, Place, Remapping, Setting, Text, join

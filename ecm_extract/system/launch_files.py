@@ -7,7 +7,7 @@ from typing import cast
 from ecm_parsers.launch.files import parse_launch_xml, parse_launch_yaml
 from ecm_parsers.launch.model import LaunchFile
 from ecm_parsers.launch.python import parse_launch_python
-from ecm_parsers.launch.sources import Sources
+from ecm_parsers.python.sources import Sources
 from ecm_parsers.result import Parsed
 
 _XML_SUFFIXES = (".launch", ".launch.xml", ".test")

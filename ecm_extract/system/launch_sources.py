@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from importlib import resources
 
-from ecm_parsers.launch.model import Template
+from ecm_parsers.template import Template
 
 from ecm_extract.system.budget import Budget
 from ecm_extract.system.files import TREE, Files

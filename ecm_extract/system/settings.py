@@ -9,19 +9,12 @@ from collections.abc import Callable, Iterator, Sequence
 from fnmatch import fnmatchcase
 from typing import Any
 
-from ecm_parsers.launch.model import (
-    Data,
-    ParameterFile,
-    ParameterSource,
-    ParameterValue,
-    Substitution,
-    Template,
-    Typing,
-)
+from ecm_parsers.launch.model import Data, ParameterFile, ParameterSource, ParameterValue, Typing
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.parameter_yaml import ParameterFile as Sets
 from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml, parse_rosparam_yaml
 from ecm_parsers.result import Parsed
+from ecm_parsers.template import Substitution, Template
 from ecm_parsers.yaml_tree import parse_yaml, plain
 
 from ecm_extract.read.cuts import located

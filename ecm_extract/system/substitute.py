@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import Any
 
 from ecm_parsers.expression import ExpressionError, evaluate
-from ecm_parsers.launch.model import Substitution, Template
+from ecm_parsers.template import Substitution, Template
 
 from ecm_extract.system.budget import Budget
 from ecm_extract.system.eval_functions import EvalNames, launch_functions

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ecm_parsers.launch.model import Template
+from ecm_parsers.template import Template
 
 from ecm_extract.system.substitute import Substituter
 

@@ -5,34 +5,27 @@ Source: ROS wiki, dynamic_reconfigure, "How to Write Your First .cfg File".
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import msgspec
-from tree_sitter import Node
 
-from ecm_parsers.python_tree import (
-    MAX_BYTES,
-    Reached,
-    callee_name,
-    fold,
-    line_of,
-    parse_python,
-    read_call,
-    statements,
-    text_of,
-)
-from ecm_parsers.python_values import PyCall, Unknown, Value, is_counted, shown
-from ecm_parsers.python_variables import TELLING, Variables
+from ecm_parsers.python.arguments import Arguments, Constructor
+from ecm_parsers.python.declared import MAX_BYTES, declarations, pattern_of
+from ecm_parsers.python.library import CONSTANTS, LIBRARY, TABLES
+from ecm_parsers.python.models import Models
+from ecm_parsers.python.values import Method, Modelled, Reference, Text, Unknown, Value
+from ecm_parsers.python.watching import Watcher
 from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.template import Substitution
 from ecm_parsers.text import decode
 
 _FIELDS = ("name", "paramtype", "level", "description", "default", "min", "max", "edit_method")
 _CONSTANT_FIELDS = ("name", "type", "value", "descr")
-_WANTED = TELLING | {"import_from_statement", "for_statement"}
 _OWN_MODULES = frozenset({"dynamic_reconfigure", "math", "driver_base", "roslib", "os", "sys", "__future__"})
-_METHODS = frozenset({"add", "generate", "add_group", "const"})
-_MAX_ROUNDS = 1000
-_MAX_NESTED = 4
+_METHODS = ("add", "add_group", "const", "enum", "generate")
 
 
 class EnumValue(msgspec.Struct, frozen=True):
@@ -102,191 +95,139 @@ def parse_dynamic_reconfigure(data: bytes, path: str = "") -> Parsed[Reconfigure
     if len(data) > MAX_BYTES:
         message = f".cfg file larger than {MAX_BYTES} bytes is not read."
         return Parsed(ReconfigureFile(), (Diagnostic("error", "cfg-too-large", 0, message, cut=True),))
-    text, diagnostics = decode(data)
-    root = parse_python(text)
-    reader = _Reader(list(diagnostics), path)
-    if root.has_error:
+    text, doubts = decode(data)
+    reader = _Reader(list(doubts))
+    names = {"__file__": Text((Substitution("unknown", (("tree",),)), f"/{path}"))} if path else {}
+    is_whole, bounds = declarations(reader.models, names, reader).read(text)
+    if not is_whole:
         message = "Parts of the file are not valid Python; parameters in them may be missing."
         reader.diagnostics.append(Diagnostic("warning", "cfg-syntax", 0, message))
-    reader.read(Reached(root, True))
+    reader.diagnostics.extend(bounds)
     return Parsed(reader.facts(), tuple(reader.diagnostics))
 
 
-class _Reader:
-    """Goes through the statements in order."""
+class _Constant(msgspec.Struct, frozen=True):
+    """What `gen.const` gives."""
 
-    def __init__(self, diagnostics: list[Diagnostic], path: str) -> None:
+    value: EnumValue
+
+
+class _Choice(msgspec.Struct, frozen=True):
+    """What `gen.enum` gives."""
+
+    values: tuple[EnumValue, ...]
+
+
+class _Generator(Modelled):
+    """A generator or a group of one, below the groups with these names."""
+
+    def __init__(self, reader: _Reader, group: tuple[str, ...] = ()) -> None:
+        self._reader = reader
+        self._group = group
+
+    def call(self, name: str, given: Arguments) -> Value:
+        """Take a parameter or the name of the configuration; return a group, a constant or a choice."""
+        if name == "add_group":
+            return _Generator(self._reader, (*self._group, pattern_of(given.get("name", 0, Unknown("")))))
+        if name == "const":
+            fields = _by_name(given, _CONSTANT_FIELDS)
+            return _Constant(_enum_value(fields)) if "name" in fields else Unknown("")
+        if name == "enum":
+            listed = given.get("constants", 0)
+            constants = listed if isinstance(listed, list | tuple) else ()
+            return _Choice(tuple(each.value for each in constants if isinstance(each, _Constant)))
+        if name == "add":
+            self._reader.add(given, self._group)
+        elif name == "generate" and len(given.positional) >= 3:
+            self._reader.generated = given
+        return Unknown("")
+
+
+class _Reader(Watcher):
+    """Collects what the calls of a file say."""
+
+    def __init__(self, diagnostics: list[Diagnostic]) -> None:
         self.diagnostics = diagnostics
-        self._variables = Variables({"__file__": Value(path, 0)} if path else {})
-        self._groups: dict[str, tuple[str, ...]] = {}
-        self._imports: dict[str, str] = {}
+        self.generated: Arguments | None = None
         self._parameters: list[ReconfigureParameter] = []
         self._included: list[IncludedParameters] = []
-        self._generate: tuple[PyCall, int] | None = None
-        self._rounds = _MAX_ROUNDS
 
-    def read(self, root: Reached, nested: int = 0) -> None:
-        """Handle the imports, assignments, loops and calls below a node, those in a loop once for each round."""
-        done = 0
-        for reached in statements(root, _WANTED, self._variables.names, self.diagnostics):
-            node = reached.node
-            if node.start_byte < done:
-                continue
-            if node.type in TELLING:
-                self._variables.take(reached)
-            if node.type == "import_from_statement":
-                self._import(node)
-            elif node.type == "assignment":
-                self._group(node)
-            elif node.type == "call":
-                self._call(node)
-            elif node.type == "for_statement" and self._loops(reached, nested):
-                done = node.end_byte
-
-    def _loops(self, loop: Reached, nested: int) -> bool:
-        """Go through the rounds of a loop over what is written out; of any other one the variables are not known."""
-        node, known = loop.node, self._variables.names
-        names = _targets(node.child_by_field_name("left"))
-        rounds = fold(node.child_by_field_name("right"), known).data
-        body = node.child_by_field_name("body")
-        if not isinstance(rounds, tuple) or not is_counted(rounds) or not all(_fits(item, names) for item in rounds):
-            rounds = ()
-        if not rounds or body is None or nested == _MAX_NESTED or len(rounds) > self._rounds:
-            for name in names:
-                known.pop(name, None)
-            return False
-        self._rounds -= len(rounds)
-        for item in rounds:
-            given = item.data if len(names) > 1 and isinstance(item.data, tuple) else (item,)
-            known.update(zip(names, given, strict=False))
-            self.read(Reached(body, loop.certain), nested + 1)
-        return True
+    @property
+    def models(self) -> Models:
+        """What a `.cfg` file calls; a generator that is handed to a function is one by its methods."""
+        made = _Generator(self)
+        calls: dict[str, Constructor] = {name: partial(made.call, name) for name in _METHODS}
+        calls["ParameterGenerator"] = lambda _: _Generator(self)
+        return Models({**LIBRARY, **calls}, TABLES, constants=CONSTANTS)
 
     def facts(self) -> ReconfigureFile:
         """Return what was collected."""
         parameters, included = tuple(self._parameters), tuple(self._included)
-        if self._generate is None:
+        if self.generated is None:
             if parameters or included:
                 message = "No call of generate(PACKAGE, node, name): the configuration has no name."
                 self.diagnostics.append(Diagnostic("warning", "cfg-no-generate", 0, message))
             return ReconfigureFile(parameters=parameters, included=included)
-        call, line = self._generate
-        if not isinstance(call.args[2].data, str):
+        line = self.generated.line
+        if not isinstance(self.generated.positional[2], str | Text):
             message = "What the configuration is called is computed: its parameters are told of no server."
             self.diagnostics.append(Diagnostic("warning", "cfg-no-name", line, message))
-        package, node, name = (shown(value) for value in call.args[:3])
+        package, node, name = map(pattern_of, self.generated.positional[:3])
         return ReconfigureFile(package, node, name, line, parameters, included)
 
-    def _import(self, node: Node) -> None:
-        module = _field_text(node, "module_name")
-        if module.split(".")[0] in _OWN_MODULES:
-            return
-        for child in node.children_by_field_name("name"):
-            name = _field_text(child, "name") if child.type == "aliased_import" else text_of(child)
-            alias = _field_text(child, "alias") if child.type == "aliased_import" else name
-            self._imports[alias] = module
-
-    def _group(self, node: Node) -> None:
-        """Note a generator, or a group of one, that a variable holds."""
-        target = _field_text(node, "left")
-        held = self._variables.names.get(target)
-        if held is None or not isinstance(held.data, PyCall):
-            return
-        owner, _, method = held.data.name.rpartition(".")
-        if method == "ParameterGenerator":
-            self._groups[target] = ()
-        elif method == "add_group":
-            label = held.data.args[:1] or (held.data.keyword("name") or held,)
-            self._groups[target] = (*self._groups.get(owner, ()), shown(label[0]))
-
-    def _call(self, node: Node) -> None:
-        owner, _, method = callee_name(node.child_by_field_name("function")).rpartition(".")
-        if method in _METHODS and owner:
-            call = read_call(node, self._variables.names)
-            if method == "add":
-                self._add(call, self._groups.get(owner, ()), line_of(node))
-            elif method == "generate" and len(call.args) >= 3:
-                self._generate = (call, line_of(node))
-        elif method in self._imports:
-            self._include(node, method)
-
-    def _include(self, node: Node, name: str) -> None:
+    def unread(self, path: str, given: Arguments) -> None:
         """Note a call `function(gen)` of an imported function."""
-        call = read_call(node, {})
-        if not any(isinstance(arg.data, Unknown) and arg.data.text in self._groups for arg in call.args):
+        module, _, name = path.rpartition(".")
+        if not module or module.split(".")[0] in _OWN_MODULES:
             return
-        module = self._imports[name]
-        self._included.append(IncludedParameters(module, name, line_of(node)))
+        if not any(isinstance(each, _Generator) for each in given.positional):
+            return
+        self._included.append(IncludedParameters(module, name, given.line))
         message = f"Parameters that {module[:80]}.{name[:80]} adds are not read; they stand in another file."
-        self.diagnostics.append(Diagnostic("info", "cfg-imported-parameters", line_of(node), message))
+        self.diagnostics.append(Diagnostic("info", "cfg-imported-parameters", given.line, message))
 
-    def _add(self, call: PyCall, group: tuple[str, ...], line: int) -> None:
-        fields = _by_name(call, _FIELDS)
+    def add(self, given: Arguments, group: tuple[str, ...]) -> None:
+        """Take a parameter."""
+        fields = _by_name(given, _FIELDS)
         kind = _type(fields.get("paramtype"))
         if "name" not in fields or (not kind and "default" not in fields and len(fields) < 4):
             return
-        level = _plain(fields.get("level"))
+        level, choice = _plain(fields.get("level")), fields.get("edit_method")
         self._parameters.append(
             ReconfigureParameter(
-                name=shown(fields["name"]),
+                name=pattern_of(fields["name"]),
                 type=kind,
-                line=line,
-                description=shown(fields["description"]) if "description" in fields else "",
+                line=given.line,
+                description=pattern_of(fields["description"]) if "description" in fields else "",
                 default=_plain(fields.get("default")),
                 min=_plain(fields.get("min")),
                 max=_plain(fields.get("max")),
                 level=level if isinstance(level, int) else None,
                 group=group,
-                enum=_enum(fields.get("edit_method")),
+                enum=choice.values if isinstance(choice, _Choice) else (),
             )
         )
 
 
-def _targets(left: Node | None) -> list[str]:
-    """The variables of a loop: `a`, or `a, b`."""
-    if left is None:
-        return []
-    return [text_of(child) for child in left.named_children] or [text_of(left)]
-
-
-def _fits(item: Value, names: list[str]) -> bool:
-    return len(names) == 1 or (isinstance(item.data, tuple) and len(item.data) == len(names))
-
-
-def _field_text(node: Node, field: str) -> str:
-    child = node.child_by_field_name(field)
-    return "" if child is None else text_of(child)
-
-
-def _by_name(call: PyCall, fields: tuple[str, ...]) -> dict[str, Value]:
+def _by_name(given: Arguments, fields: tuple[str, ...]) -> Mapping[str, Value]:
     """Return the arguments of a call by the names of its parameters."""
-    return {**dict(zip(fields, call.args, strict=False)), **dict(call.keywords)}
+    return {**dict(zip(fields, given.positional, strict=False)), **given.keywords}
 
 
-def _type(value: Value | None) -> str:
+def _type(value: Value) -> str:
     """Return `double` for `double_t`, `gen.double_t` or `"double"`."""
-    if value is None:
-        return ""
-    text = value.data.text if isinstance(value.data, Unknown) else value.data
-    name = str(text).rpartition(".")[2].removesuffix("_t")
+    named = value.path if isinstance(value, Reference) else value.name if isinstance(value, Method) else value
+    text = named.text if isinstance(named, Unknown) else str(named)
+    name = text.rpartition(".")[2].removesuffix("_t")
     return name if name in {"int", "double", "str", "bool"} else ""
 
 
-def _plain(value: Value | None) -> Any:
-    data = None if value is None else value.data
-    return data if isinstance(data, str | int | float) else None
+def _plain(value: Value) -> Any:
+    if isinstance(value, str | Text):
+        return pattern_of(value)
+    return value if isinstance(value, int | float) and math.isfinite(value) else None
 
 
-def _enum(value: Value | None) -> tuple[EnumValue, ...]:
-    """Return the values of `gen.enum([gen.const(...), ...], description)`."""
-    if value is None or not isinstance(value.data, PyCall) or not value.data.args:
-        return ()
-    constants = value.data.args[0].data
-    found: list[EnumValue] = []
-    for constant in constants if isinstance(constants, tuple) else ():
-        if isinstance(constant.data, PyCall) and constant.data.name.endswith("const"):
-            fields = _by_name(constant.data, _CONSTANT_FIELDS)
-            if "name" in fields:
-                description = shown(fields["descr"]) if "descr" in fields else ""
-                found.append(EnumValue(shown(fields["name"]), _plain(fields.get("value")), description))
-    return tuple(found)
+def _enum_value(fields: Mapping[str, Value]) -> EnumValue:
+    description = pattern_of(fields["descr"]) if "descr" in fields else ""
+    return EnumValue(pattern_of(fields["name"]), _plain(fields.get("value")), description)

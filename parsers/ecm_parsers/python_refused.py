@@ -6,13 +6,12 @@ another one.
 
 from __future__ import annotations
 
-import ast
-import warnings
 from collections.abc import Callable, Iterator
 from typing import Final
 
 from tree_sitter import Node
 
+from ecm_parsers.python.syntax import parsed
 from ecm_parsers.result import Diagnostic, diagnostic
 from ecm_parsers.source.python import MAX_BYTES, syntax_tree
 
@@ -56,9 +55,7 @@ def _error(data: bytes) -> SyntaxError | None:
     if len(data) > MAX_BYTES:
         return None
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            ast.parse(data)
+        parsed(data)
     except SyntaxError as error:
         return error
     except (RecursionError, MemoryError, ValueError):

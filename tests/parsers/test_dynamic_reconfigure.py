@@ -50,8 +50,8 @@ LOOPS = [
     ('for s in ["l", "r"]:\n    for n in ["a", "b"]:', "        add(s + n, True)", ["la", "lb", "ra", "rb"]),
     ("for n in names():", "    add(n, True)", ["{n}"]),
     ('rows = ["a"]\nrows.append(more())\nfor n in rows:', "    add(n, True)", ["a", "{}"]),
-    ('rows = ["a"]\nrows += more()\nfor n in rows:', "    add(n, True)", ["{n}"]),
-    ('for n, d in ["a", "b"]:', "    add(n, d)", ["{n}"]),
+    ('rows = ["a"]\nrows += more()\nfor n in rows:', "    add(n, True)", ["a", "{n}"]),
+    ('for n, d in ["a", "b"]:', "    add(n, d)", ["{n}", "{n}"]),
 ]
 
 

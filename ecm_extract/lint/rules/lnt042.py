@@ -8,8 +8,9 @@ from collections.abc import Iterator, Mapping
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
 from ecm_checker.hub.provision import Provision
-from ecm_parsers.launch.model import Action, Node, Remap, Substitution
+from ecm_parsers.launch.model import Action, Node, Remap
 from ecm_parsers.launch.templates import all_actions
+from ecm_parsers.template import Substitution
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of

@@ -10,7 +10,6 @@ from types import MappingProxyType
 
 import msgspec
 
-from ecm_parsers.launch.arguments import Arguments, Constructor
 from ecm_parsers.launch.model import (
     Action,
     Argument,
@@ -23,24 +22,13 @@ from ecm_parsers.launch.model import (
     PushNamespace,
     Remap,
     SetConfiguration,
-    Template,
     Typing,
 )
 from ecm_parsers.launch.spawners import controller_spawner
-from ecm_parsers.launch.values import (
-    Description,
-    Reference,
-    Unknown,
-    Value,
-    actions_of,
-    command_words,
-    data_of,
-    merged_text,
-    parameter_sources,
-    template_of,
-    text_of,
-    typing_of,
-)
+from ecm_parsers.launch.values import Description, actions_of, command_words, data_of, parameter_sources, typing_of
+from ecm_parsers.python.arguments import Arguments, Constructor
+from ecm_parsers.python.values import Reference, Unknown, Value, merged_text, template_of, text_of
+from ecm_parsers.template import Template
 
 
 def _description(given: Arguments) -> Value:

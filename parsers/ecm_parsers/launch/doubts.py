@@ -10,15 +10,17 @@ import ast
 from collections.abc import Iterator
 from typing import Any, Final
 
-from ecm_parsers.launch.model import Substitution, Tested
+from ecm_parsers.launch.model import Tested
 from ecm_parsers.launch.templates import plain_text
-from ecm_parsers.launch.values import Text, Unknown, Value
+from ecm_parsers.python.values import Text, Unknown, Value
+from ecm_parsers.python.watching import Watcher
 from ecm_parsers.result import Diagnostic
+from ecm_parsers.template import Substitution
 
 OBJECT_TESTED: Final = "launch-object-tested"
 
 
-class Doubts:
+class Doubts(Watcher):
     """What one file does.
 
     Attributes:
@@ -29,6 +31,10 @@ class Doubts:
         self.made: dict[ast.stmt, Value] = {}
         self._objects: dict[int, str] = {}
         self._texts: dict[int, str] = {}
+
+    def bound(self, node: ast.Assign, value: Value) -> None:
+        """Keep what an assignment binds."""
+        self.made[node] = value
 
     def tested(self, value: Value, line: int) -> None:
         """Note a value that is asked whether it holds."""

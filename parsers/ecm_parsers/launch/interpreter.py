@@ -1,150 +1,90 @@
-"""Python launch files, read statement by statement over values that may be unknown.
-
-Nothing is run or imported. A branch whose condition is known at launch only is read both ways: its actions carry the
-condition. Steps, calls and loops are bounded.
-"""
+"""Python launch files: what `launch` adds to Python, and what is doubtful in a file."""
 
 from __future__ import annotations
 
 import ast
+from collections.abc import Callable
 
-from ecm_parsers.launch.calls import Calls
-from ecm_parsers.launch.classes import class_of
-from ecm_parsers.launch.expressions import choice, source_of
-from ecm_parsers.launch.markup import both
-from ecm_parsers.launch.methods import hashable
-from ecm_parsers.launch.model import Substitution, Template
-from ecm_parsers.launch.operators import binary, negated, truth
-from ecm_parsers.launch.values import MAX_ITEMS, Function, Object, Scope, Unknown, Value
+from ecm_parsers.launch.branches import choice, returned_value, under
+from ecm_parsers.launch.constructors import LAUNCH
+from ecm_parsers.launch.doubts import Doubts
+from ecm_parsers.launch.model import Argument, Group
+from ecm_parsers.launch.values import actions_of
+from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.calls import Calls, Returned
+from ecm_parsers.python.interpreter import Interpreter
+from ecm_parsers.python.methods import LOSING, call_method
+from ecm_parsers.python.reading import MAX_BYTES
+from ecm_parsers.python.sources import Sources
+from ecm_parsers.python.values import MAX_ITEMS, Function, Reference, Text, Unknown, Value, as_str
+from ecm_parsers.template import Substitution, Template
+from ecm_parsers.xml_tree import parse_xml
+
+_ADDING = frozenset({"append", "add_action", "extend", "insert"})
+_OF_CONTEXT = frozenset({"launch_configurations", "perform_substitution"})
 
 
-class Interpreter(Calls):
-    """Reads one file and what it imports."""
+class LaunchInterpreter(Interpreter):
+    """Reads one launch file and what it imports."""
 
-    # --- statements ------------------------------------------------------------------------------------------
+    def __init__(self, sources: Sources | None = None) -> None:
+        self.doubts = Doubts()
+        super().__init__(LAUNCH, {"__file__": Text((Substitution("dirname"), "/launch.py"))}, sources, self.doubts)
 
-    def run(self, body: list[ast.stmt], scope: Scope) -> list[tuple[Template | None, Value]]:
-        """Read statements; returns what they return, each with the condition under which."""
-        returned: list[tuple[Template | None, Value]] = []
-        self._block(body, scope, returned)
-        return returned
+    def attribute(self, owner: Value, name: str, line: int = 0) -> Value:
+        """Return an attribute of a value; those of the launch context are known by their name."""
+        of_context = name in _OF_CONTEXT and not isinstance(owner, Reference)
+        return Reference(name) if of_context else super().attribute(owner, name, line)
 
-    def _block(self, body: list[ast.stmt], scope: Scope, returned: list[tuple[Template | None, Value]]) -> bool:
-        """Read statements; True when none after them is reached."""
-        outer = self._guard
-        try:
-            return any(self._statement(statement, scope, returned) for statement in body)
-        finally:
-            self._guard = outer
+    def chosen(self, holds: Template, first: Value, second: Value, name: str) -> Value:
+        """Return a value with the condition in it."""
+        return choice(holds, first, second)
 
-    def _statement(self, node: ast.stmt, scope: Scope, returned: list[tuple[Template | None, Value]]) -> bool:
-        self.line = node.lineno
-        self.step()
-        if isinstance(node, ast.Return):
-            returned.append((self._guard, self.value(node.value, scope)))
-            return True
-        if isinstance(node, ast.If):
-            return self._if(node, scope, returned)
-        if isinstance(node, ast.For):
-            return self._for(node, scope, returned)
-        if isinstance(node, ast.Try):
-            return self._block([*node.body, *node.orelse, *node.finalbody], scope, returned)
-        if isinstance(node, ast.With):
-            for item in node.items:
-                opened = self.value(item.context_expr, scope)
-                if item.optional_vars is not None:
-                    self.assign(item.optional_vars, opened, scope)
-            return self._block(node.body, scope, returned)
-        if isinstance(node, ast.While):
-            return self._block(node.body, scope, returned) and False
-        self._simple(node, scope)
-        return isinstance(node, ast.Raise)
+    def method(self, owner: Value, name: str, given: Arguments, written: ast.expr) -> Value:
+        """Return what a method gives; what it adds carries the condition of the branch, and nothing is taken away."""
+        if name in _ADDING and self._guard is not None:
+            positional = tuple(under(self._guard, value, given.line) for value in given.positional)
+            given = Arguments(positional, given.keywords, given.line)
+        if name in LOSING and self._guard is not None:
+            return Unknown(name)
+        return call_method(owner, name, given)
 
-    def _simple(self, node: ast.stmt, scope: Scope) -> None:
-        if isinstance(node, ast.Expr):
-            self.value(node.value, scope)
-        elif isinstance(node, ast.Assign):
-            value = self.value(node.value, scope)
-            self.doubts.made[node] = value
-            for target in node.targets:
-                self.assign(target, value, scope)
-        elif isinstance(node, ast.AnnAssign) and node.value is not None:
-            self.assign(node.target, self.value(node.value, scope), scope)
-        elif isinstance(node, ast.AugAssign):
-            self._augment(node, scope)
-        elif isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
-            scope.names[node.name] = Function(node, scope)
-        elif isinstance(node, ast.Import | ast.ImportFrom):
-            name = scope.find("__name__") or ""
-            scope.names.update(self.imports.bound(node, str(name).rpartition(".")[0]))
-        elif isinstance(node, ast.ClassDef):
-            body = Scope({}, scope)
-            self.run(node.body, body)
-            scope.names[node.name] = class_of(node, tuple(self.value(base, scope) for base in node.bases), body)
+    def returned(self, found: Returned, line: int) -> Value:
+        """Return what is returned with the conditions in it."""
+        return returned_value(found, line)
 
-    def _if(self, node: ast.If, scope: Scope, returned: list[tuple[Template | None, Value]]) -> bool:
-        tested = self.value(node.test, scope)
-        self.doubts.tested(tested, node.lineno)
-        holds = truth(tested)
-        if isinstance(holds, bool):
-            return self._block(node.body if holds else node.orelse, scope, returned)
-        outer, before = self._guard, dict(scope.names)
-        self._guard = both(outer, holds)
-        first = self._block(node.body, scope, returned)
-        taken, scope.names = scope.names, before
-        self._guard = both(outer, negated(holds))
-        second = self._block(node.orelse, scope, returned)
-        self._join(scope, taken, holds, gone=(first, second))
-        self._guard = outer
-        if first != second:  # what follows runs only where the other branch was taken
-            self._guard = both(outer, negated(holds) if first else holds)
-        return first and second
+    def made(self, value: Value) -> Value:
+        """Take note of the arguments of the file, for paths that depend on them."""
+        if isinstance(value, Argument) and value.default is not None:
+            self.sources.declared(value.name, value.default)
+        return value
 
-    def _join(self, scope: Scope, taken: dict[str, Value], holds: Template, gone: tuple[bool, bool]) -> None:
-        """Give names that the two branches set differently a value that depends on the condition."""
-        if gone[1]:
-            scope.names = taken
-        if any(gone):
-            return
-        for name, value in taken.items():
-            other = scope.names.get(name)
-            if other is value:
-                continue
-            scope.names[name] = value if name not in scope.names else choice(holds, value, other)
+    def _opaque(self, given: Arguments) -> Value:
+        function = given.get("function", 0)
+        extra = given.get("args", default=()) or ()
+        if not isinstance(function, Function):
+            unread = actions_of(Unknown(_called(function), given.line))
+            return Group(line=given.line, condition=given.condition, actions=unread, scoped=False)
+        keywords = given.get("kwargs", default={}) or {}
+        positional = (Unknown("context"), *(extra if isinstance(extra, list | tuple) else ()))
+        made = self.call(function, Arguments(positional, keywords if isinstance(keywords, dict) else {}, given.line))
+        return Group(line=given.line, condition=given.condition, actions=actions_of(made), scoped=False)
 
-    def _for(self, node: ast.For, scope: Scope, returned: list[tuple[Template | None, Value]]) -> bool:
-        items = self.items(self.value(node.iter, scope))
-        outer = self._guard
-        if items is None:
-            items = [Unknown(source_of(node.target))]
-            self._guard = both(outer, (Substitution("unknown", ((source_of(node.iter),),)),))
-        for item in items:
-            self.assign(node.target, item, scope)
-            self._block(node.body, scope, returned)
-        self._guard = outer
-        return False
+    def _virtual_joints(self, given: Arguments) -> Value:
+        """The virtual joints of a semantic description as maps of their attributes."""
+        data = self.sources.file(given.template("", 0))
+        root = parse_xml(data).root if data is not None and len(data) <= MAX_BYTES else None
+        found = root.iter("virtual_joint") if root is not None else ()
+        return [{str(name): str(value) for name, value in joint.attrib.items()} for joint in found][:MAX_ITEMS]
 
-    def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
-        """Bind a value to what stands on the left side."""
-        if isinstance(target, ast.Name):
-            scope.names[target.id] = value
-        elif isinstance(target, ast.Tuple | ast.List):
-            values = value if isinstance(value, list | tuple) and len(value) == len(target.elts) else None
-            for at, element in enumerate(target.elts):
-                self.assign(element, Unknown(source_of(element)) if values is None else values[at], scope)
-        elif isinstance(target, ast.Subscript):
-            owner, key = self.value(target.value, scope), self.value(target.slice, scope)
-            if isinstance(owner, dict) and hashable(key) and len(owner) < MAX_ITEMS:
-                owner[key] = value
-        elif isinstance(target, ast.Attribute):
-            owner = self.value(target.value, scope)
-            if isinstance(owner, Object):
-                owner.attributes[target.attr] = value
+    SPECIAL: dict[str, Callable[[LaunchInterpreter, Arguments], Value]] = {  # noqa: RUF012  # read only, as above
+        **Calls.SPECIAL,
+        "OpaqueFunction": _opaque,
+        "srdf_virtual_joints": _virtual_joints,
+        "perform_substitution": lambda _, given: as_str(given.get("", 0)),
+    }
 
-    def _augment(self, node: ast.AugAssign, scope: Scope) -> None:
-        current = self.value(node.target, scope)
-        added = self.value(node.value, scope)
-        if isinstance(current, list) and isinstance(node.op, ast.Add) and isinstance(added, list | tuple):
-            current.extend(self._under_guard(item, node.lineno) for item in added)
-        else:
-            self.assign(node.target, binary(node.op, current, added), scope)
+
+def _called(value: Value) -> str:
+    """How a function that is not of the tree is written."""
+    return value.path if isinstance(value, Reference) else value.text if isinstance(value, Unknown) else "function"

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Final
 
 from ecm_parsers.launch.model import Include, Node
-from ecm_parsers.launch.values import Value
+from ecm_parsers.python.values import Value
 from ecm_parsers.result import Diagnostic
 
 REPLACED: Final = "launch-action-replaced"

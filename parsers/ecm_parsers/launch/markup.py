@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from ecm_parsers.launch.entity import Entity
-from ecm_parsers.launch.model import Substitution, Template
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.result import Diagnostic
+from ecm_parsers.template import Substitution, Template
 
 
 def template(entity: Entity, *names: str) -> Template:
@@ -26,13 +26,6 @@ def condition(entity: Entity) -> Template | None:
         return wanted
     negated = Substitution("not", (unwanted,))
     return (negated,) if wanted is None else (Substitution("and", (wanted, (negated,))),)
-
-
-def both(first: Template | None, second: Template | None) -> Template | None:
-    """Return the condition that two conditions make together."""
-    if first is None or second is None:
-        return first if second is None else second
-    return (Substitution("and", (first, second)),)
 
 
 def words(text: str | None) -> tuple[Template, ...]:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import ast
-import warnings
 
-from ecm_parsers.launch.arguments import Arguments
-from ecm_parsers.launch.expressions import TooLongError
-from ecm_parsers.launch.interpreter import Interpreter
+from ecm_parsers.launch.interpreter import LaunchInterpreter
 from ecm_parsers.launch.lost import lost_actions
 from ecm_parsers.launch.model import LaunchFile
-from ecm_parsers.launch.sources import Sources
-from ecm_parsers.launch.values import Description, Function, Value, actions_of
+from ecm_parsers.launch.values import Description, actions_of
+from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.expressions import TooLongError
+from ecm_parsers.python.sources import Sources
+from ecm_parsers.python.syntax import parsed
+from ecm_parsers.python.values import Function, Value
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
 
@@ -34,9 +35,7 @@ def parse_launch_python(data: bytes, sources: Sources | None = None) -> Parsed[L
         return _refused("launch-too-large", 0, f"The file exceeds {MAX_BYTES} bytes and is skipped. Split it.")
     text, doubts = decode(data)
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(text)
+        tree = parsed(text)
     except SyntaxError as error:
         return _refused("launch-syntax", error.lineno or 0, f"No valid Python: {error.msg}. Correct it.")
     except (RecursionError, MemoryError, ValueError):
@@ -52,7 +51,7 @@ def parse_launch_python(data: bytes, sources: Sources | None = None) -> Parsed[L
 
 
 def _read(tree: ast.Module, sources: Sources | None) -> Parsed[LaunchFile | None]:
-    interpreter = Interpreter(sources)
+    interpreter = LaunchInterpreter(sources)
     interpreter.run(tree.body, interpreter.module)
     entry = next(
         (interpreter.module.names.get(name) for name in ENTRY_POINTS if name in interpreter.module.names), None

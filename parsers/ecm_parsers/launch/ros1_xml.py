@@ -23,12 +23,11 @@ from ecm_parsers.launch.model import (
     PushNamespace,
     Remap,
     SetConfiguration,
-    Substitution,
-    Template,
     Typing,
 )
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.result import Diagnostic
+from ecm_parsers.template import Substitution, Template
 
 _TYPES: Mapping[str, Typing] = MappingProxyType(
     {

@@ -25,12 +25,11 @@ from ecm_parsers.launch.model import (
     PushNamespace,
     Remap,
     SetConfiguration,
-    Substitution,
-    Template,
     Typing,
 )
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.result import Diagnostic
+from ecm_parsers.template import Substitution, Template
 
 _QUIET = frozenset({"log", "log_info", "shutdown", "unset_env", "unset", "reset", "push_launch_configurations", "test"})
 _TYPES: Mapping[str, Typing] = MappingProxyType({"str": "str", "int": "int", "float": "double", "bool": "bool"})

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from ecm_parsers.launch.arguments import Arguments
 from ecm_parsers.launch.model import Node
-from ecm_parsers.launch.values import Description, Value, command_words
+from ecm_parsers.launch.values import Description, command_words
+from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.values import Value
 
 
 def controller_spawner(given: Arguments) -> Value:

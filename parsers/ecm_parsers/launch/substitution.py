@@ -9,7 +9,7 @@ import re
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from ecm_parsers.launch.model import TOO_LARGE, Substitution, Template
+from ecm_parsers.template import TOO_LARGE, Substitution, Template
 
 MAX_TEXT = 20_000
 MAX_DEPTH = 10

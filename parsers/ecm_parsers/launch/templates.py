@@ -7,7 +7,8 @@ from typing import Final
 
 import msgspec
 
-from ecm_parsers.launch.model import Action, Group, Node, Substitution, Template
+from ecm_parsers.launch.model import Action, Group, Node
+from ecm_parsers.template import Substitution, Template
 
 HOLE: Final = "{}"
 

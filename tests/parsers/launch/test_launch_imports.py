@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from ecm_parsers.launch.model import Action, Group, Node, Template, Unread
+from ecm_parsers.launch.model import Action, Group, Node, Unread
 from ecm_parsers.launch.python import parse_launch_python
-from ecm_parsers.launch.sources import NoSources
+from ecm_parsers.python.sources import NoSources
+from ecm_parsers.template import Template
 
 HELPERS = """
 from launch_ros.actions import Node

@@ -7,8 +7,9 @@ import time
 import pytest
 from diagnosed import is_told
 from ecm_parsers.launch.files import parse_launch_xml, parse_launch_yaml
-from ecm_parsers.launch.model import Action, Argument, Group, Include, Node, ParameterFile, ParameterValue, Substitution
+from ecm_parsers.launch.model import Action, Argument, Group, Include, Node, ParameterFile, ParameterValue
 from ecm_parsers.launch.substitution import parse_template
+from ecm_parsers.template import Substitution
 from hypothesis import given, settings
 from hypothesis import strategies as st
 

@@ -6,18 +6,9 @@ import time
 
 import pytest
 from diagnosed import is_told
-from ecm_parsers.launch.model import (
-    Action,
-    Argument,
-    Group,
-    Include,
-    Node,
-    ParameterFile,
-    ParameterValue,
-    Substitution,
-    Unread,
-)
+from ecm_parsers.launch.model import Action, Argument, Group, Include, Node, ParameterFile, ParameterValue, Unread
 from ecm_parsers.launch.python import parse_launch_python
+from ecm_parsers.template import Substitution
 from hypothesis import given, settings
 from hypothesis import strategies as st
 

@@ -1,4 +1,4 @@
-"""Expressions of launch files in Python, over values that may be unknown."""
+"""Expressions of Python, over values that may be unknown."""
 
 from __future__ import annotations
 
@@ -6,19 +6,18 @@ import ast
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 
-from ecm_parsers.launch.arguments import Arguments
-from ecm_parsers.launch.classes import member
-from ecm_parsers.launch.constructors import CONSTRUCTORS
-from ecm_parsers.launch.doubts import Doubts
-from ecm_parsers.launch.methods import hashable
-from ecm_parsers.launch.model import Action, Group, Substitution, Template
-from ecm_parsers.launch.operators import binary, compare, negated, subscript, truth
-from ecm_parsers.launch.values import (
+from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.classes import member
+from ecm_parsers.python.library import LIBRARY
+from ecm_parsers.python.methods import hashable
+from ecm_parsers.python.models import Models
+from ecm_parsers.python.operators import binary, compare, signed, subscript, truth
+from ecm_parsers.python.values import (
     Class,
-    Condition,
-    Description,
     Function,
+    Many,
     Method,
+    Modelled,
     Module,
     Object,
     Reference,
@@ -26,15 +25,13 @@ from ecm_parsers.launch.values import (
     Text,
     Unknown,
     Value,
-    actions_of,
-    as_str,
     expanded,
-    guarded,
-    is_yaml_file,
     merged_text,
     template_of,
 )
+from ecm_parsers.python.watching import Watcher
 from ecm_parsers.result import Diagnostic
+from ecm_parsers.template import Substitution, Template, negated
 
 MAX_STEPS = 60_000
 MAX_WORK = 2_000_000
@@ -46,7 +43,7 @@ _CUT = "This text has more parts than are read; it and what is built of it stay 
 
 
 class TooLongError(Exception):
-    """The file takes more steps to read than any launch file needs; `line` is where that was noticed."""
+    """The file takes more steps to read than any needs; `line` is where that was noticed."""
 
     def __init__(self, line: int) -> None:
         super().__init__(line)
@@ -57,14 +54,20 @@ class Expressions(ABC):
     """Evaluates expressions; whoever reads statements says what calls and assignments do.
 
     Attributes:
+        attributes: what the file gives to what is not its own, by dotted name.
         steps: evaluated nodes. line: that is being read. problem: the first text that was too large to be kept.
     """
 
-    def __init__(self) -> None:
+    IS_STRICT = False
+    """Whether what may be is never told as what is."""
+
+    def __init__(self, models: Models, watcher: Watcher | None = None) -> None:
+        self.models = models
+        self.watcher = watcher or Watcher()
         self.steps = 0
         self.line = 0
         self.problem: Diagnostic | None = None
-        self.doubts = Doubts()
+        self.attributes: dict[str, Value] = {}
         self._work = 0
 
     @abstractmethod
@@ -77,7 +80,15 @@ class Expressions(ABC):
 
     @abstractmethod
     def call(self, function: Function, given: Arguments) -> Value:
-        """Return what a function of a launch file or of its modules returns."""
+        """Return what a function of the file or of its modules returns."""
+
+    @abstractmethod
+    def chosen(self, holds: Template, first: Value, second: Value, name: str) -> Value:
+        """Return what a name, or an expression, holds that depends on a condition."""
+
+    @abstractmethod
+    def method(self, owner: Value, name: str, given: Arguments, written: ast.expr) -> Value:
+        """Return what a method of a value gives, which may change it; `written` is where it is called."""
 
     @abstractmethod
     def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
@@ -91,6 +102,12 @@ class Expressions(ABC):
         reader = self._EXPRESSIONS.get(type(node))
         found = reader(self, node, scope) if reader is not None else Unknown(source_of(node))
         self._weigh(found, node.lineno)
+        if isinstance(found, Reference):
+            found = self.attributes.get(found.path, self.models.constants.get(found.path, found))
+        return self.kept(found, node)
+
+    def kept(self, found: Value, node: ast.expr) -> Value:
+        """Return the value of an expression as it is handed on."""
         return found
 
     def _weigh(self, found: Value, line: int) -> None:
@@ -115,11 +132,9 @@ class Expressions(ABC):
         if isinstance(owner, Reference):
             return Reference(f"{owner.path}.{name}")
         if name == "parent" and isinstance(owner, Text | str):
-            return CONSTRUCTORS["dirname"](Arguments((owner,), {}, 0))
-        if name in {"launch_configurations", "perform_substitution"}:
-            return Reference(name)
-        if isinstance(owner, Description) and name == "entities":
-            return owner.actions
+            return LIBRARY["dirname"](Arguments((owner,), {}, 0))
+        if isinstance(owner, Modelled):
+            return owner.attribute(name)
         if isinstance(owner, Module) and name != "load_module":
             return owner.scope.names.get(name, Reference(f"{owner.name}.{name}"))
         if isinstance(owner, Class | Object):
@@ -136,9 +151,8 @@ class Expressions(ABC):
 
     def _subscript(self, node: ast.Subscript, scope: Scope) -> Value:
         owner, key = self.value(node.value, scope), self.value(node.slice, scope)
-        if isinstance(owner, Reference) and owner.last in {"environ", "launch_configurations"}:
-            kind = "env" if owner.last == "environ" else "arg"
-            return as_str(Text((Substitution(kind, (template_of(key),)),)))
+        if isinstance(owner, Reference) and owner.last in self.models.tables:
+            return self.models.tables[owner.last](Arguments((key,), {}, node.lineno))
         found = subscript(self.loaded(owner), key)
         return Unknown(source_of(node)) if isinstance(found, Unknown) else found
 
@@ -151,7 +165,8 @@ class Expressions(ABC):
         items: list[Value] = []
         for element in node.elts:
             if isinstance(element, ast.Starred):
-                items += self.items(self.value(element.value, scope)) or []
+                more = self.value(element.value, scope)
+                items += [Many(more)] if (listed := self.items(more)) is None else listed
             else:
                 items.append(self.value(element, scope))
         return tuple(items) if isinstance(node, ast.Tuple) else items
@@ -161,7 +176,7 @@ class Expressions(ABC):
         for key_node, value_node in zip(node.keys, node.values, strict=True):
             value = self.value(value_node, scope)
             if key_node is None:
-                table.update(value if isinstance(value, dict) else {value: value} if is_yaml_file(value) else {})
+                self.method(table, "update", Arguments((value,), {}, node.lineno), value_node)
                 continue
             key = self.value(key_node, scope)
             if isinstance(key, list | tuple):
@@ -171,26 +186,39 @@ class Expressions(ABC):
         return table
 
     def _comprehension(self, node: ast.ListComp | ast.GeneratorExp | ast.SetComp, scope: Scope) -> Value:
-        return [self.value(node.elt, inner) for inner in self._loops(node.generators, Scope({}, scope))]
+        rounds = self._loops(node.generators, Scope({}, scope))
+        return [Many(self.value(node.elt, inner)) if many else self.value(node.elt, inner) for inner, many in rounds]
 
     def _dict_comprehension(self, node: ast.DictComp, scope: Scope) -> Value:
         table: dict[Value, Value] = {}
-        for inner in self._loops(node.generators, Scope({}, scope)):
-            key = self.value(node.key, inner)
-            if hashable(key):
-                table[key] = self.value(node.value, inner)
+        for inner, many in self._loops(node.generators, Scope({}, scope)):
+            key, value = self.value(node.key, inner), self.value(node.value, inner)
+            entry = (Many(key) if many else key, value)
+            self.method(table, "__setitem__", Arguments(entry, {}, node.lineno), node.key)
         return table
 
-    def _loops(self, generators: list[ast.comprehension], scope: Scope) -> Iterator[Scope]:
+    def _loops(
+        self, generators: list[ast.comprehension], scope: Scope, *, many: bool = False
+    ) -> Iterator[tuple[Scope, bool]]:
+        """Yield the names of each round, and whether it stands for any number of them."""
         if not generators:
-            yield scope
+            yield scope, many
             return
         first, *rest = generators
-        items = self.items(self.value(first.iter, scope))
-        for item in [Unknown(source_of(first.target))] if items is None else items:
-            self.assign(first.target, item, scope)
-            if all(truth(self.value(test, scope)) is not False for test in first.ifs):
-                yield from self._loops(rest, scope)
+        for item in self.rounds(first.iter, first.target, scope):
+            self.assign(first.target, item.each if isinstance(item, Many) else item, scope)
+            tests = [truth(self.value(test, scope)) for test in first.ifs]
+            if False not in tests:
+                perhaps = isinstance(item, Many) or (self.IS_STRICT and tests.count(True) < len(tests))
+                yield from self._loops(rest, scope, many=many or perhaps)
+
+    def rounds(self, node: ast.expr, target: ast.expr, scope: Scope) -> list[Value]:
+        """Return what a loop goes through: any number of elements where that is not known."""
+        items = self.items(self.value(node, scope))
+        unknown = Many(Unknown(source_of(target)))
+        if items is None:
+            return [unknown]
+        return [unknown if isinstance(item, Many) and isinstance(item.each, Unknown) else item for item in items]
 
     def _binary(self, node: ast.BinOp, scope: Scope) -> Value:
         return binary(node.op, self.value(node.left, scope), self.value(node.right, scope))
@@ -202,7 +230,7 @@ class Expressions(ABC):
         for part in node.values:
             value = self.value(part, scope)
             if part is not node.values[-1]:
-                self.doubts.tested(value, part.lineno)
+                self.watcher.tested(value, part.lineno)
             holds = truth(value)
             if isinstance(holds, bool):
                 if holds is not conjunction:
@@ -218,27 +246,25 @@ class Expressions(ABC):
     def _unary(self, node: ast.UnaryOp, scope: Scope) -> Value:
         value = self.value(node.operand, scope)
         if isinstance(node.op, ast.Not):
-            self.doubts.tested(value, node.lineno)
+            self.watcher.tested(value, node.lineno)
             holds = truth(value)
             return not holds if isinstance(holds, bool) else Text(negated(holds))
-        if isinstance(node.op, ast.USub) and isinstance(value, int | float):
-            return -value
-        return Unknown(source_of(node))
+        return signed(node.op, value) if isinstance(value, int | float) else Unknown(source_of(node))
 
     def _compare(self, node: ast.Compare, scope: Scope) -> Value:
         values = [self.value(part, scope) for part in (node.left, *node.comparators)]
         for at, kind in enumerate(node.ops):
-            self.doubts.compared(kind, values[at], values[at + 1], node.lineno)
+            self.watcher.compared(kind, values[at], values[at + 1], node.lineno)
         results = [compare(op, values[at], values[at + 1]) for at, op in enumerate(node.ops)]
         return Unknown(source_of(node)) if len(results) > 1 or isinstance(results[0], Unknown) else results[0]
 
     def _if_expression(self, node: ast.IfExp, scope: Scope) -> Value:
         tested = self.value(node.test, scope)
-        self.doubts.tested(tested, node.lineno)
+        self.watcher.tested(tested, node.lineno)
         holds = truth(tested)
         if isinstance(holds, bool):
             return self.value(node.body if holds else node.orelse, scope)
-        return choice(holds, self.value(node.body, scope), self.value(node.orelse, scope))
+        return self.chosen(holds, self.value(node.body, scope), self.value(node.orelse, scope), source_of(node))
 
     def _joined(self, node: ast.JoinedStr, scope: Scope) -> Value:
         parts = tuple(part for value in node.values for part in template_of(self.value(value, scope)))
@@ -247,8 +273,8 @@ class Expressions(ABC):
     def items(self, value: Value) -> list[Value] | None:
         """Return what a loop goes over, None when that is not known."""
         value = self.loaded(value)
-        if isinstance(value, Description):
-            return list(value.actions)
+        if isinstance(value, Modelled):
+            return value.items
         return list(value) if isinstance(value, list | tuple | dict) else None
 
     def step(self, count: int = 1) -> None:
@@ -294,22 +320,6 @@ def _is_set(name: str, scope: Scope) -> bool:
             return True
         current = current.parent
     return False
-
-
-def choice(holds: Template, first: Value, second: Value) -> Value:
-    """Return a value that depends on a condition; lists are joined, since all their items can occur."""
-    if isinstance(first, list) and isinstance(second, list):
-        return [*first, *(item for item in second if not any(item is known for known in first))]
-    if isinstance(first, Action) and (second is None or isinstance(second, Action)):
-        either = (*guarded((first,), holds, first.line), *guarded(actions_of(second), negated(holds), first.line))
-        return Group(line=first.line, actions=either, scoped=False)
-    if isinstance(first, dict) and isinstance(second, dict):
-        return {**second, **first}
-    if all(isinstance(value, str | Text | int | float | bool) for value in (first, second)):
-        return Text((Substitution("if", (holds, template_of(first), template_of(second))),))
-    if isinstance(first, Condition) or isinstance(second, Condition):
-        return first if isinstance(first, Condition) else second
-    return first if not isinstance(first, Unknown | type(None)) else second
 
 
 def source_of(node: ast.AST) -> str:

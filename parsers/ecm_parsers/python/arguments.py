@@ -1,4 +1,4 @@
-"""What a call in a launch file is given."""
+"""What a call is given."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 
 import msgspec
 
-from ecm_parsers.launch.model import Template
-from ecm_parsers.launch.values import Condition, Value, template_of
+from ecm_parsers.python.values import Condition, Value, template_of
+from ecm_parsers.template import Template
 
 
 class Arguments(msgspec.Struct, frozen=True):

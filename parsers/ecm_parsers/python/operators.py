@@ -1,4 +1,4 @@
-"""Operators of launch files written in Python, over plain data and over texts with substitutions."""
+"""Operators of Python, over plain data and over texts with substitutions."""
 
 from __future__ import annotations
 
@@ -7,20 +7,24 @@ import operator
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from ecm_parsers.expression_operators import COMPARE
-from ecm_parsers.launch.methods import hashable, percent_formatted
-from ecm_parsers.launch.model import Substitution, Template
-from ecm_parsers.launch.substitutions import joined_path
-from ecm_parsers.launch.values import (
+from ecm_parsers.expression_operators import COMPARE, UNARY
+from ecm_parsers.python.library import joined_path
+from ecm_parsers.python.methods import hashable, percent_formatted
+from ecm_parsers.python.values import (
     MAX_ITEMS,
     Condition,
-    Description,
+    Many,
+    Modelled,
+    Reference,
     Text,
     Unknown,
     Value,
+    is_counted,
     merged_text,
+    shown,
     template_of,
 )
+from ecm_parsers.template import Substitution, Template, negated
 
 MAX_NUMBER = 1e15
 _ARITHMETIC: Mapping[type[ast.operator], Callable[[float, float], float]] = MappingProxyType(
@@ -34,6 +38,7 @@ _ARITHMETIC: Mapping[type[ast.operator], Callable[[float, float], float]] = Mapp
     }
 )
 _NEVER_EMPTY = frozenset({"find", "find_prefix", "dirname", "file", "yaml", "command", "anon"})
+_TEXTS = (str, Text, Unknown, Reference)
 _NEGATIVE = (ast.NotEq, ast.NotIn, ast.IsNot)
 
 
@@ -52,6 +57,14 @@ def binary(kind: ast.operator, left: Value, right: Value) -> Value:
     return Unknown("operator")
 
 
+def signed(kind: ast.unaryop, value: float) -> Value:
+    """Return what a sign makes of a number."""
+    try:
+        return UNARY[type(kind)](value)
+    except TypeError:
+        return Unknown("sign")
+
+
 def _numbers(left: Value, right: Value) -> bool:
     return all(isinstance(value, int | float) for value in (left, right))
 
@@ -67,23 +80,18 @@ def _arithmetic(kind: ast.operator, left: float, right: float) -> Value:
 
 
 def _added(left: Value, right: Value) -> Value:
-    left = left.actions if isinstance(left, Description) else left
-    right = right.actions if isinstance(right, Description) else right
+    left = left.items if isinstance(left, Modelled) else left
+    right = right.items if isinstance(right, Modelled) else right
     if isinstance(left, list | tuple) and isinstance(right, list | tuple):
         joined = [*left, *right]
         return joined if isinstance(left, list) else tuple(joined)
-    if isinstance(left, list | tuple) and isinstance(right, Unknown | Text):
-        return [*left, *_noted(right)]
-    if isinstance(right, list | tuple) and isinstance(left, Unknown | Text):
-        return [*_noted(left), *right]
-    if isinstance(left, str | Text | Unknown) and isinstance(right, str | Text | Unknown):
+    if isinstance(left, list | tuple) and isinstance(right, Unknown | Reference | Text):
+        return [*left, Many(right)]
+    if isinstance(right, list | tuple) and isinstance(left, Unknown | Reference | Text):
+        return [Many(left), *right]
+    if isinstance(left, _TEXTS) and isinstance(right, _TEXTS):
         return merged_text((*template_of(left), *template_of(right)), is_str=True)
     return Unknown("+")
-
-
-def _noted(value: Unknown | Text) -> list[Value]:
-    """What is added to a list is one too: a call that gives it stays in it, so that it is told."""
-    return [value] if isinstance(value, Unknown) and value.line else []
 
 
 def compare(kind: ast.cmpop, left: Value, right: Value) -> Value:
@@ -119,12 +127,9 @@ def _contained(item: Value, items: Value) -> Template:
 def _is_known(value: Value) -> bool:
     if isinstance(value, list | tuple):
         return all(_is_known(item) for item in value)
-    return value is None or isinstance(value, str | int | float | bool | dict)
-
-
-def negated(condition: Template) -> Template:
-    """Return the condition that holds where another does not."""
-    return (Substitution("not", (condition,)),)
+    if isinstance(value, dict):
+        return is_counted(value)
+    return value is None or isinstance(value, str | int | float | bool)
 
 
 def truth(value: Value) -> bool | Template:
@@ -133,11 +138,13 @@ def truth(value: Value) -> bool | Template:
         return True if _is_never_empty(value.parts) else value.parts
     if isinstance(value, Condition):
         return value.holds
-    if isinstance(value, Unknown):
-        return (Substitution("unknown", ((value.text,),)),)
-    if isinstance(value, Description):
-        return True
+    if isinstance(value, Unknown | Reference) or _is_perhaps_empty(value):
+        return (Substitution("unknown", ((shown(value),),)),)
     return bool(value)
+
+
+def _is_perhaps_empty(value: Value) -> bool:
+    return isinstance(value, list | tuple | dict) and bool(value) and all(isinstance(each, Many) for each in value)
 
 
 def _is_never_empty(parts: Template) -> bool:
@@ -149,8 +156,10 @@ def subscript(owner: Value, key: Value) -> Value:
     """Return an item of a list or map, Unknown when there is none."""
     if isinstance(owner, dict):
         return owner.get(key, Unknown("item")) if hashable(key) else Unknown("item")
-    if isinstance(owner, list | tuple | str) and isinstance(key, int) and -len(owner) <= key < len(owner):
+    if not isinstance(owner, str) and not (isinstance(owner, list | tuple) and is_counted(owner)):
+        return Unknown("item")
+    if isinstance(key, int) and -len(owner) <= key < len(owner):
         return owner[key]
-    if isinstance(owner, list | tuple | str) and isinstance(key, slice):
+    if isinstance(key, slice):
         return owner[key]
     return Unknown("item")

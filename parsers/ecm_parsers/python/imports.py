@@ -1,32 +1,30 @@
-"""Modules of the tree that a Python launch file imports, each read once and on demand.
+"""Modules of the tree that a Python file imports, each read once and on demand.
 
-Launch files share their helpers by `import`, by `load_python_launch_file_as_module` and by `importlib`.
+Files share their helpers by `import`, by `importlib`, and by what else a library has for this.
 """
 
 from __future__ import annotations
 
 import ast
-import warnings
 from collections.abc import Callable, Iterator
 
-from ecm_parsers.launch.constructors import CONSTRUCTORS
-from ecm_parsers.launch.model import Template
-from ecm_parsers.launch.sources import Sources
-from ecm_parsers.launch.values import Module, Reference, Scope, Value
+from ecm_parsers.python.models import Models
+from ecm_parsers.python.sources import Sources
+from ecm_parsers.python.syntax import parsed
+from ecm_parsers.python.values import Module, Reference, Scope, Value
+from ecm_parsers.template import Template
 from ecm_parsers.text import decode
 
 MAX_MODULES = 60
 MAX_BYTES = 500_000
-LOADERS = {"load_python_launch_file_as_module": 0, "SourceFileLoader": 1, "spec_from_file_location": 1}
-"""Functions that read a module from a path, and at which position the path stands."""
-_EXTERNAL = frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml", "launch_testing", "ament_index_python"})
 
 
 class Imports:
     """Finds what an import binds. `read` makes the names of a module from its statements."""
 
-    def __init__(self, sources: Sources, read: Callable[[ast.Module, Scope], None]) -> None:
+    def __init__(self, sources: Sources, models: Models, read: Callable[[ast.Module, Scope], None]) -> None:
         self._sources = sources
+        self._models = models
         self._read = read
         self._known: dict[str | Template, Module | None] = {}
 
@@ -55,9 +53,9 @@ class Imports:
         return self.named(alias.name) or Reference(alias.name)
 
     def member(self, origin: str, name: str) -> Value:
-        """Return what a module calls a name; classes of `launch` stay names, wherever their source lies."""
+        """Return what a module calls a name; what is modelled stays a name, wherever its source lies."""
         path = f"{origin}.{name}" if origin else name
-        if name in CONSTRUCTORS:
+        if name in self._models.calls:
             return Reference(path)
         module = self.named(origin)
         if module is not None and name in module.scope.names:
@@ -66,7 +64,7 @@ class Imports:
 
     def named(self, name: str) -> Module | None:
         """Return a module by its dotted name, None when the tree does not hold it."""
-        if not name or name.split(".")[0] in _EXTERNAL:
+        if not name or name.split(".")[0] in self._models.outside:
             return None
         if name not in self._known:
             self._load(name, name, self._sources.module(name))
@@ -93,9 +91,7 @@ def parsed_module(data: bytes) -> ast.Module | None:
     if len(data) > MAX_BYTES:
         return None
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            return ast.parse(decode(data)[0])
+        return parsed(decode(data)[0])
     except (SyntaxError, RecursionError, MemoryError, ValueError):
         return None
 

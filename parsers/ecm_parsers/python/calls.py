@@ -1,4 +1,4 @@
-"""Calls of Python launch files: functions and classes of the file and of its modules, and what `launch` makes."""
+"""Calls of Python: functions and classes of the file and of its modules, and what libraries make."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ import sys
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
+from typing import Any, TypeAlias
 
-from ecm_parsers.launch.arguments import Arguments
-from ecm_parsers.launch.classes import filled_fields, is_instance, is_substitution, made_by_base, member, super_of
-from ecm_parsers.launch.constructors import CONSTRUCTORS
-from ecm_parsers.launch.expressions import Expressions, choice, source_of
-from ecm_parsers.launch.imports import LOADERS, Imports
-from ecm_parsers.launch.methods import call_builtin, call_method
-from ecm_parsers.launch.model import Action, Argument, Group, Substitution, Template
-from ecm_parsers.launch.reading import exists, globbed, loaded, virtual_joints
-from ecm_parsers.launch.sources import NoSources, Sources
-from ecm_parsers.launch.values import (
+from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.classes import filled_fields, is_instance, is_substitution, made_by_base, member, super_of
+from ecm_parsers.python.expressions import Expressions, source_of
+from ecm_parsers.python.imports import Imports
+from ecm_parsers.python.methods import call_builtin
+from ecm_parsers.python.models import Models
+from ecm_parsers.python.reading import exists, globbed, loaded
+from ecm_parsers.python.sources import NoSources, Sources
+from ecm_parsers.python.values import (
     Class,
     Function,
     Method,
@@ -30,13 +30,13 @@ from ecm_parsers.launch.values import (
     Text,
     Unknown,
     Value,
-    actions_of,
-    as_str,
-    guarded,
-    starts_something,
 )
+from ecm_parsers.python.watching import Watcher
+from ecm_parsers.template import Template
 
 MAX_CALLS = 20
+Returned: TypeAlias = list[tuple[Template | None, Value]]
+"""What statements return, each with the condition under which."""
 _OF_DATA = frozenset({"get", "items", "keys", "values"})
 _OF_PATHS: Mapping[str, Callable[[Sources, Value, Value], Value]] = MappingProxyType(
     {
@@ -50,17 +50,23 @@ _OF_PATHS: Mapping[str, Callable[[Sources, Value, Value], Value]] = MappingProxy
 class Calls(Expressions):
     """Evaluates calls; whoever reads statements runs the bodies. `module` holds the names of the file."""
 
-    def __init__(self, sources: Sources | None = None) -> None:
-        super().__init__()
+    def __init__(
+        self, models: Models, names: dict[str, Value], sources: Sources | None = None, watcher: Watcher | None = None
+    ) -> None:
+        super().__init__(models, watcher)
         self.sources = sources or NoSources()
-        self.imports = Imports(self.sources, self._module)
-        self.module = Scope({"__file__": Text((Substitution("dirname"), "/launch.py"))})
+        self.imports = Imports(self.sources, models, self._module)
+        self.module = Scope(names)
         self._depth = 0
         self._guard: Template | None = None
         self._site = 0
 
     @abstractmethod
-    def run(self, body: list[ast.stmt], scope: Scope) -> list[tuple[Template | None, Value]]:
+    def returned(self, found: Returned, line: int) -> Value:
+        """Return what a function gives of what it returns, each with the condition under which."""
+
+    @abstractmethod
+    def run(self, body: list[ast.stmt], scope: Scope) -> Returned:
         """Read statements; returns what they return, each with the condition under which."""
 
     def loaded(self, value: Value) -> Value:
@@ -80,13 +86,14 @@ class Calls(Expressions):
         if isinstance(callee, Function):
             return self.call(callee, given)
         if isinstance(callee, Method):
-            return self._method(callee, given)
+            return self._method(callee, given, node.func)
         if isinstance(callee, Class):
             return self._object(callee, given)
         if isinstance(callee, Reference):
             found = super_of(scope) if callee.path == "super" else self._referenced(callee, given)
             if not isinstance(found, Unknown):
                 return found
+            self.watcher.unread(callee.path, given)
         return Unknown(source_of(node), 0 if _starts_nothing(node.func) else given.line)
 
     def _object(self, cls: Class, given: Arguments) -> Value:
@@ -95,7 +102,7 @@ class Calls(Expressions):
         if isinstance(start, Function):
             self.call(start, given)
         else:
-            made.made = made_by_base(cls, given)
+            made.made = made_by_base(cls, given, self.models)
             filled_fields(made, given)
         performed = member(cls, "perform", made) if made.made is None and is_substitution(cls) else None
         if isinstance(performed, Function):
@@ -108,57 +115,42 @@ class Calls(Expressions):
         if isinstance(above, Function):
             return self.call(above, given)
         if name == "__init__" and isinstance(owner.holder, Object):
-            owner.holder.made = made_by_base(owner.cls, given, above=True)
+            owner.holder.made = made_by_base(owner.cls, given, self.models, above=True)
         return None
 
-    def _method(self, callee: Method, given: Arguments) -> Value:
-        if callee.name in {"append", "add_action", "extend", "insert"} and self._guard is not None:
-            positional = tuple(self._under_guard(value, given.line) for value in given.positional)
-            given = Arguments(positional, given.keywords, given.line)
+    def _method(self, callee: Method, given: Arguments, written: ast.expr) -> Value:
         if isinstance(callee.owner, Module):
             return callee.owner
         if isinstance(callee.owner, Super):
             return self._super_method(callee.owner, callee.name, given)
-        if isinstance(callee.owner, Action) or callee.name == "get_package_share_directory":
-            return Unknown(callee.name)
         if isinstance(callee.owner, Text | str) and callee.name in _OF_PATHS:
             return _OF_PATHS[callee.name](self.sources, callee.owner, given.get("", 0))
         owner = self.loaded(callee.owner) if callee.name in _OF_DATA else callee.owner
-        return call_method(owner, callee.name, given)
-
-    def _under_guard(self, value: Value, line: int) -> Value:
-        if isinstance(value, list | tuple):
-            return [self._under_guard(item, line) for item in value]
-        if not isinstance(value, Action | Object):
-            return value
-        found = guarded(actions_of(value), self._guard, line)
-        return found[0]
+        return self.method(owner, callee.name, given, written)
 
     def _referenced(self, callee: Reference, given: Arguments) -> Value:
-        special = self._SPECIAL.get(callee.last)
+        special = self.SPECIAL.get(callee.last)
         if special is not None:
             return special(self, given)
-        if callee.path.endswith("environ.get"):
-            return as_str(CONSTRUCTORS["getenv"](given))
-        if callee.path == "launch_configurations.get":
-            return as_str(CONSTRUCTORS["LaunchConfiguration"](given))
+        table = self.models.tables.get(callee.path.removesuffix(".get").rpartition(".")[2])
+        if table is not None and callee.last == "get":
+            return table(given)
         if callee.last == "__init__" and isinstance(given.get("", 0), Object):
             return self._initialised(callee, given)
-        constructor = CONSTRUCTORS.get(callee.last)
+        constructor = self.models.calls.get(callee.last)
         if constructor is not None:
-            return self._noted(constructor(given))
-        if callee.last in LOADERS:
-            return self.imports.at(given.template("path", LOADERS[callee.last])) or Unknown(callee.last)
+            return self.made(constructor(given))
+        if callee.last in self.models.loaders:
+            return self.imports.at(given.template("path", self.models.loaders[callee.last])) or Unknown(callee.last)
         return self._imported_call(callee, given) if "." in callee.path else call_builtin(callee.path, given)
 
-    def _noted(self, made: Value) -> Value:
-        if isinstance(made, Argument) and made.default is not None:
-            self.sources.declared(made.name, made.default)
-        return made
+    def made(self, value: Value) -> Value:
+        """Return what a call of a library makes, after taking note of it."""
+        return value
 
     def _initialised(self, callee: Reference, given: Arguments) -> None:
         """`Node.__init__(self, ...)`, as `super().__init__(...)` was written."""
-        constructor = CONSTRUCTORS.get(callee.path.split(".")[-2])
+        constructor = self.models.calls.get(callee.path.split(".")[-2])
         if constructor is not None:
             given.positional[0].made = constructor(Arguments(given.positional[1:], given.keywords, given.line))
 
@@ -174,17 +166,6 @@ class Calls(Expressions):
         otherwise = given.get("", 2)
         found = self.attribute(given.get("", 0), str(given.get("", 1)), given.line)
         return otherwise if isinstance(found, Unknown | Reference | Method) and otherwise is not None else found
-
-    def _opaque(self, given: Arguments) -> Value:
-        function = given.get("function", 0)
-        extra = given.get("args", default=()) or ()
-        if not isinstance(function, Function):
-            unread = actions_of(Unknown(_called(function), given.line))
-            return Group(line=given.line, condition=given.condition, actions=unread, scoped=False)
-        keywords = given.get("kwargs", default={}) or {}
-        positional = (Unknown("context"), *(extra if isinstance(extra, list | tuple) else ()))
-        made = self.call(function, Arguments(positional, keywords if isinstance(keywords, dict) else {}, given.line))
-        return Group(line=given.line, condition=given.condition, actions=actions_of(made), scoped=False)
 
     def _arguments(self, node: ast.Call, scope: Scope) -> Arguments:
         positional: list[Value] = []
@@ -220,7 +201,7 @@ class Calls(Expressions):
         finally:
             self._depth -= 1
             self._guard, self._site = outer, site
-        return _returned(returned, given.line)
+        return self.returned(returned, given.line)
 
     def _is_foreign(self, function: Function) -> bool:
         """Lines of another file say nothing in this one: what its functions make is placed where they are called."""
@@ -246,22 +227,13 @@ class Calls(Expressions):
             bound[spec.kwarg.arg] = {name: value for name, value in given.keywords.items() if name not in names}
         return bound
 
-    _SPECIAL: dict[str, Callable[[Calls, Arguments], Value]] = {  # noqa: RUF012  # read only, one row per function
-        "OpaqueFunction": _opaque,
+    SPECIAL: dict[str, Callable[[Any, Arguments], Value]] = {  # noqa: RUF012  # read only, one row per function
         "getattr": _getattr,
         "isinstance": lambda _, given: is_instance(given.get("", 0), given.get("", 1)),
         "exists": lambda self, given: exists(self.sources, given.get("path", 0)),
         "isfile": lambda self, given: exists(self.sources, given.get("path", 0)),
-        "srdf_virtual_joints": lambda self, given: virtual_joints(self.sources, given.get("", 0)),
-        "perform_substitution": lambda _, given: as_str(given.get("", 0)),
-        "getenv": lambda _, given: as_str(CONSTRUCTORS["getenv"](given)),
         "module_from_spec": lambda _, given: given.get("spec", 0),
     }
-
-
-def _called(value: Value) -> str:
-    """How a function that is not of the tree is written."""
-    return value.path if isinstance(value, Reference) else value.text if isinstance(value, Unknown) else "function"
 
 
 def _starts_nothing(callee: ast.expr) -> bool:
@@ -269,16 +241,3 @@ def _starts_nothing(callee: ast.expr) -> bool:
     while isinstance(callee, ast.Attribute):
         callee = callee.value
     return isinstance(callee, ast.Name) and (callee.id in sys.stdlib_module_names or hasattr(builtins, callee.id))
-
-
-def _returned(returned: list[tuple[Template | None, Value]], line: int) -> Value:
-    if not returned:
-        return None
-    if len(returned) == 1:
-        return returned[0][1]
-    if any(starts_something(value) for _, value in returned):
-        return [action for guard, value in returned for action in guarded(actions_of(value), guard, line)]
-    result = returned[-1][1]
-    for guard, value in reversed(returned[:-1]):
-        result = value if guard is None else choice(guard, value, result)
-    return result

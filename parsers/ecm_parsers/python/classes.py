@@ -1,4 +1,4 @@
-"""Classes of launch files: their members, their objects, and what `super().__init__` makes of an object."""
+"""Classes of a file: their members, their objects, and what `super().__init__` makes of an object."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ import ast
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ecm_parsers.launch.arguments import Arguments
-from ecm_parsers.launch.constructors import CONSTRUCTORS
-from ecm_parsers.launch.values import MAX_DEPTH, Class, Function, Object, Reference, Scope, Super, Text, Unknown, Value
+from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.models import Models
+from ecm_parsers.python.values import MAX_DEPTH, Class, Function, Object, Reference, Scope, Super, Text, Unknown, Value
 
 _ABSENT = object()
 _PLAIN = frozenset({"str", "bool", "int", "float", "list", "tuple", "dict"})
@@ -68,11 +68,11 @@ def _bound(value: Value, cls: Class, holder: Value) -> Value:
     return replace(value, first=(holder,)) if isinstance(holder, Object) else value
 
 
-def made_by_base(cls: Class, given: Arguments, *, above: bool = False) -> Value:
-    """Return what the nearest class of `launch` among the bases makes, None when there is none."""
+def made_by_base(cls: Class, given: Arguments, models: Models, *, above: bool = False) -> Value:
+    """Return what the nearest class that is modelled among the bases makes, None when there is none."""
     for entry in list(lineage(cls))[1 if above else 0 :]:
-        if isinstance(entry, Reference) and entry.last in CONSTRUCTORS:
-            return CONSTRUCTORS[entry.last](given)
+        if isinstance(entry, Reference) and entry.last in models.calls:
+            return models.calls[entry.last](given)
     return None
 
 

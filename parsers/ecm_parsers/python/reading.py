@@ -1,14 +1,13 @@
-"""What a Python launch file learns from other files while it is read: data, names, whether they are there."""
+"""What a Python file learns from other files while it is read: data, names, whether they are there."""
 
 from __future__ import annotations
 
 from fnmatch import fnmatchcase
 
-from ecm_parsers.launch.model import Substitution
-from ecm_parsers.launch.sources import Sources
-from ecm_parsers.launch.substitutions import joined_path
-from ecm_parsers.launch.values import MAX_ITEMS, Text, Unknown, Value, is_yaml_file, template_of
-from ecm_parsers.xml_tree import parse_xml
+from ecm_parsers.python.library import joined_path
+from ecm_parsers.python.sources import Sources
+from ecm_parsers.python.values import MAX_ITEMS, Text, Unknown, Value, is_yaml_file, template_of
+from ecm_parsers.template import Substitution
 from ecm_parsers.yaml_scalar import typed_by_pyyaml
 from ecm_parsers.yaml_tree import parse_yaml, plain
 
@@ -37,11 +36,3 @@ def globbed(sources: Sources, folder: Value, pattern: Value) -> Value:
     if names is None or not isinstance(pattern, str):
         return Unknown("glob")
     return [joined_path((folder, name)) for name in names if fnmatchcase(name, pattern)][:MAX_ITEMS]
-
-
-def virtual_joints(sources: Sources, path: Value) -> Value:
-    """Return the virtual joints of a semantic description as maps of their attributes."""
-    data = sources.file(template_of(path))
-    root = parse_xml(data).root if data is not None and len(data) <= MAX_BYTES else None
-    found = root.iter("virtual_joint") if root is not None else ()
-    return [{str(name): str(value) for name, value in joint.attrib.items()} for joint in found][:MAX_ITEMS]

@@ -1,23 +1,23 @@
-"""What else of the tree a Python launch file reads while it is read: whoever has the tree hands it in."""
+"""What else of the tree a Python file reads while it is read: whoever has the tree hands it in."""
 
 from __future__ import annotations
 
 from typing import Protocol
 
-from ecm_parsers.launch.model import Template
+from ecm_parsers.template import Template
 
 
 class Sources(Protocol):
     """Gives bytes of other files; None for what the tree does not hold. Paths may depend on launch arguments."""
 
     def declared(self, name: str, default: Template) -> None:
-        """Take note of an argument of the launch file, for paths that depend on it."""
+        """Take note of an argument of a launch file, for paths that depend on it."""
 
     def module(self, name: str) -> bytes | None:
         """Return the source of an importable module by its dotted name."""
 
     def file(self, path: Template) -> bytes | None:
-        """Return the content of a file by its path as the launch file writes it."""
+        """Return the content of a file by its path as the file that reads it writes it."""
 
     def exists(self, path: Template) -> bool | None:
         """Return whether the tree holds a file, None when the path does not tell."""
@@ -27,7 +27,7 @@ class Sources(Protocol):
 
 
 class NoSources:
-    """A launch file that is read alone."""
+    """A file that is read alone."""
 
     def declared(self, name: str, default: Template) -> None:
         """Do nothing."""

@@ -1,4 +1,4 @@
-"""Methods and builtin functions that launch files call on values they build.
+"""Methods and builtin functions that files call on values they build.
 
 Only what neither runs code nor grows without bound; everything else is unknown.
 """
@@ -9,20 +9,22 @@ import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from ecm_parsers.launch.arguments import Arguments
-from ecm_parsers.launch.model import Substitution
-from ecm_parsers.launch.substitutions import joined_path
-from ecm_parsers.launch.values import (
+from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.library import joined_path
+from ecm_parsers.python.values import (
     MAX_ITEMS,
-    Description,
+    Many,
+    Modelled,
     Text,
     Unknown,
     Value,
     as_str,
+    is_counted,
     is_yaml_file,
     merged_text,
     template_of,
 )
+from ecm_parsers.template import Substitution
 
 _MAX_INDEX = 6
 """Digits of an index that are read: no call has as many arguments."""
@@ -45,9 +47,30 @@ _PLAIN_TEXT: Mapping[str, Callable[..., Value]] = MappingProxyType(
         "isdigit": str.isdigit,
     }
 )
-_VIEWS: Mapping[str, Callable[[dict[Value, Value]], Value]] = MappingProxyType(
-    {"items": lambda table: list(table.items()), "keys": list, "values": lambda table: list(table.values())}
+_OF_COUNTED: Mapping[str, Callable[..., Value]] = MappingProxyType(
+    {
+        "pop": list.pop,
+        "remove": list.remove,
+        "sort": lambda items: items.sort(),
+        "reverse": list.reverse,
+        "clear": list.clear,
+        "count": list.count,
+        "__setitem__": list.__setitem__,
+        "__delitem__": list.__delitem__,
+    }
 )
+"""Methods of a list that are known where all its elements are."""
+_VIEWS: Mapping[str, Callable[[dict[Value, Value]], Value]] = MappingProxyType(
+    {
+        "items": lambda table: [key if isinstance(key, Many) else (key, value) for key, value in table.items()],
+        "keys": list,
+        "values": lambda table: [key if isinstance(key, Many) else value for key, value in table.items()],
+    }
+)
+LOSING = frozenset({"pop", "remove", "sort", "reverse", "clear", "__delitem__"})
+"""Methods of lists and maps that take something from them, or move it."""
+READING = frozenset({"get", "copy", "index", "count", *_VIEWS})
+"""Methods of lists and maps that leave them as they are."""
 _SAME = frozenset(
     {
         "read",
@@ -67,9 +90,9 @@ _SAME = frozenset(
 
 
 def call_method(owner: Value, name: str, given: Arguments) -> Value:
-    """Return what a method of a value gives; lists, dicts and descriptions change in place."""
-    if isinstance(owner, Description):
-        return _of_description(owner, name, given)
+    """Return what a method of a value gives; lists, dicts and objects of libraries change in place."""
+    if isinstance(owner, Modelled):
+        return owner.call(name, given)
     if isinstance(owner, list):
         return _of_list(owner, name, given)
     if isinstance(owner, dict):
@@ -79,14 +102,6 @@ def call_method(owner: Value, name: str, given: Arguments) -> Value:
     if isinstance(owner, Text):
         return _of_template(owner, name, given)
     return Unknown(name)
-
-
-def _of_description(owner: Description, name: str, given: Arguments) -> Value:
-    if name == "add_action":
-        owner.actions.append(given.get("action", 0))
-    elif name == "add_entity":
-        owner.actions.append(given.get("entity", 0))
-    return None
 
 
 def _of_list(owner: list[Value], name: str, given: Arguments) -> Value:
@@ -99,24 +114,45 @@ def _of_list(owner: list[Value], name: str, given: Arguments) -> Value:
         owner.insert(max(min(first, len(owner)), -len(owner)), given.positional[1])
     elif name == "copy":
         return list(owner)
-    elif name == "index":
+    elif name == "index" and is_counted(owner):
         return next((at for at, item in enumerate(owner) if item is first or item == first), Unknown("index"))
+    elif name in _OF_COUNTED and is_counted(owner) and not given.keywords:
+        try:
+            return _OF_COUNTED[name](owner, *given.positional)
+        except (TypeError, ValueError, IndexError):
+            return Unknown(name)
+    else:
+        return Unknown(name)
     return None
 
 
 def _of_dict(owner: dict[Value, Value], name: str, given: Arguments) -> Value:
     first = given.get("", 0)
     if name == "get":
-        return owner.get(first, given.get("default", 1)) if hashable(first) else Unknown("get")
+        return owner.get(first, otherwise_in(owner, given.get("default", 1))) if hashable(first) else Unknown("get")
     if name == "update":
-        owner.update(first if isinstance(first, dict) else {first: first} if is_yaml_file(first) else {})
-        owner.update(given.keywords)
+        return _updated(owner, first, given)
+    if name == "__setitem__" and hashable(first) and len(owner) < MAX_ITEMS:
+        owner[first] = given.positional[1]
         return None
     if name == "setdefault" and hashable(first):
-        return owner.setdefault(first, given.get("default", 1))
+        return owner.setdefault(first, otherwise_in(owner, given.get("default", 1)))
+    if name in {"pop", "__delitem__"} and hashable(first) and is_counted(owner):
+        return owner.pop(first, given.get("", 1, Unknown(name)))
     if name in _VIEWS:
         return _VIEWS[name](owner)
     return dict(owner) if name == "copy" else Unknown(name)
+
+
+def otherwise_in(owner: dict[Value, Value], otherwise: Value) -> Value:
+    """Return what a map gives for a key that it does not show: it may have it all the same."""
+    return otherwise if is_counted(owner) else Unknown("item")
+
+
+def _updated(owner: dict[Value, Value], more: Value, given: Arguments) -> Value:
+    owner.update(more if isinstance(more, dict) else {more: more} if is_yaml_file(more) else {})
+    owner.update(given.keywords)
+    return None if isinstance(more, dict) or not given.positional or is_yaml_file(more) else Unknown("update")
 
 
 def _of_text(owner: str, name: str, given: Arguments) -> Value:
@@ -129,7 +165,7 @@ def _of_text(owner: str, name: str, given: Arguments) -> Value:
         for at, item in enumerate(items if isinstance(items, list | tuple) else ()):
             parts = (*parts, *(between if at else ()), *template_of(item))
         return merged_text(parts, is_str=True)
-    if name in _PLAIN_TEXT and all(isinstance(value, str | int) for value in given.positional):
+    if name in _PLAIN_TEXT and not given.keywords and all(isinstance(value, str | int) for value in given.positional):
         try:
             return _PLAIN_TEXT[name](owner, *given.positional)
         except (TypeError, ValueError):
@@ -188,19 +224,32 @@ def percent_formatted(text: str, value: Value) -> Value:
 def call_builtin(name: str, given: Arguments) -> Value:
     """Return what a builtin function gives."""
     maker = _BUILTINS.get(name)
+    if name == "dict" and given.keywords and not given.positional:
+        return dict(given.keywords)
     if maker is None or not given.positional:
         return _EMPTY[name]() if name in _EMPTY and not given.positional else Unknown(name)
+    if name not in _OF_ANY and any(isinstance(each, _HOLDING) and not is_counted(each) for each in given.positional):
+        return Unknown(name)
     try:
-        return maker(*given.positional)
+        return maker(*given.positional, **given.keywords)
     except (TypeError, ValueError, OverflowError, KeyError):
         return Unknown(name)
 
 
 def hashable(value: Value) -> bool:
     """Tell whether a value can be a key."""
+    if isinstance(value, Many):
+        return isinstance(value.each, Unknown) or hashable(value.each)
     return isinstance(value, str | int | float | bool | Text | None) or (
         isinstance(value, tuple) and all(hashable(item) for item in value)
     )
+
+
+def _table(items: Value) -> Value:
+    if isinstance(items, dict):
+        return dict(items)
+    pairs = [(Many(each.each[0]), each.each[1]) if isinstance(each, Many) else each for each in items]
+    return dict(pairs)
 
 
 def _as_text(value: Value) -> Value:
@@ -219,6 +268,9 @@ def _number(kind: Callable[[Value], Value]) -> Callable[[Value], Value]:
 _EMPTY: Mapping[str, Callable[[], Value]] = MappingProxyType(
     {"list": list, "dict": dict, "tuple": tuple, "str": str, "set": list}
 )
+_HOLDING = (list, tuple, dict)
+_OF_ANY = frozenset({"list", "tuple", "set", "dict", "str"})
+"""Functions that make something of a list that has more elements than are known."""
 _BUILTINS: Mapping[str, Callable[..., Value]] = MappingProxyType(
     {
         "str": _as_text,
@@ -228,12 +280,12 @@ _BUILTINS: Mapping[str, Callable[..., Value]] = MappingProxyType(
         "len": len,
         "list": list,
         "tuple": tuple,
-        "dict": dict,
+        "dict": _table,
         "set": list,
         "range": _range,
-        "enumerate": lambda items: list(enumerate(items)),
-        "zip": lambda *items: list(zip(*items, strict=False)),
-        "sorted": lambda items: sorted(items),
+        "enumerate": lambda items, start=0: list(enumerate(items, start)),
+        "zip": lambda *items, strict=False: list(zip(*items, strict=strict)),
+        "sorted": lambda items, reverse=False: sorted(items, reverse=reverse),
         "reversed": lambda items: list(reversed(items)),
         "min": min,
         "max": max,
