@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, TypeVar
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TypeVar
 
-from ecm_checker.contract import Evidence, Interface, Qos
+from ecm_checker.contract import Evidence, Interface
 from ecm_checker.hub.local_name import LocalName
 from ecm_parsers.source.expr import Text
 
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
-from ecm_extract.link.declaring.listed import defaults_of, listed_parameters
-from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, latch_argument
+from ecm_extract.link.declaring.listed import defaults_of
+from ecm_extract.link.declaring.match import Matcher, handle_argument
 from ecm_extract.link.declaring.parameters import Home, Parameters
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
@@ -22,36 +22,23 @@ from ecm_extract.link.declaring.unmodelled import Unmodelled
 from ecm_extract.link.endpoints.claims import Claim, claims_of
 from ecm_extract.link.endpoints.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoints.endpoint_conditions import EndpointConditions
-from ecm_extract.link.endpoints.endpoint_types import EndpointTypes, role_of
-from ecm_extract.link.endpoints.fallbacks import default_of
-from ecm_extract.link.endpoints.frames import frame_of
+from ecm_extract.link.endpoints.endpoint_types import EndpointTypes
 from ecm_extract.link.endpoints.generated import GeneratedParameters
 from ecm_extract.link.endpoints.listeners import LISTENER
 from ecm_extract.link.endpoints.merging import merged
 from ecm_extract.link.endpoints.needed import Needed
 from ecm_extract.link.endpoints.observe import Observation, observation_forms, observations
 from ecm_extract.link.endpoints.open_defaults import OpenDeclarations
-from ecm_extract.link.endpoints.qos import QosReader
 from ecm_extract.link.endpoints.reconfigured import SERVICE, Placed, beside, serving
+from ecm_extract.link.endpoints.site_rows import SiteRows
 from ecm_extract.link.endpoints.stamps import Stamp, stamps
-from ecm_extract.link.folding.data import UNKNOWN, stated_type
+from ecm_extract.link.folding.data import stated_type
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.folding.placing import placed
 from ecm_extract.link.index.module_kinds import is_managed
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.interfaces.types import Types
-from ecm_extract.link.naming.handle import Handle
 from ecm_extract.link.naming.handles import Handles
 from ecm_extract.link.naming.host_arguments import HostArguments
-from ecm_extract.link.naming.implied_names import fixed_name, name_below, place_at
-from ecm_extract.link.naming.local_names import local_name, local_parameter
-from ecm_extract.link.naming.names import (
-    is_below_handle,
-    is_below_node,
-    is_never_made,
-    of_node,
-    without_empty_default,
-)
 from ecm_extract.link.naming.node_names import NodeName, NodeNames
 from ecm_extract.link.naming.nodes_handed import NodesHanded
 from ecm_extract.link.naming.nodes_of_programs import NodesOfPrograms
@@ -66,17 +53,13 @@ from ecm_extract.link.owning.modules import Module, Modules
 from ecm_extract.link.owning.ownership import Ownership
 from ecm_extract.link.owning.references import References, Unit
 from ecm_extract.link.owning.registry import build_registry, plugins_of
-from ecm_extract.link.running.env import Bound
-from ecm_extract.link.running.own_names import known_beside
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.link.running.settling import settle
-from ecm_extract.link.running.values import Value, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.layout import layouts
 from ecm_extract.resolve.sight import Sight
 from ecm_extract.tree import Tree
 
-MAX_NAMES = 40
 _Found = TypeVar("_Found", Observation, Stamp, Diagnosis)
 
 
@@ -114,7 +97,6 @@ class Linker:
         self.parameters = Parameters(forms)
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
         self.types = Types(self.folder)
-        self.qos = QosReader(self.folder)
         matcher = Matcher(forms, self.folder)
         self.registry = registry = build_registry(self.program, packages)
         also, plugins = (*observation_forms(), *SUMMARIES, LISTENER), plugins_of(self.program, registry)
@@ -123,7 +105,6 @@ class Linker:
         makers = SeenMakers(self.program, registry.classes)
         self.handles = Handles(self.folder, HostArguments(self.sites), SoleObjects(self.sites, makers))
         self.folder.prefixes = self.handles.prefix
-        self.typing = EndpointTypes(self.folder, self.types, packages)
         self.names = NodeNames(self.folder, self.sites, registry.classes)
         self.handles.new.names = self.names.of_object
         self.given = ValuesGiven(self.names)
@@ -134,7 +115,8 @@ class Linker:
         self.modules = Modules(self.program, self.references, registry)
         self.ownership = Ownership(self.sites, self.modules, makers)
         self.conditions = EndpointConditions(self.sites, self.modules)
-        self.needed = Needed(self.sites, self.modules)
+        needed, typing = Needed(self.sites, self.modules), EndpointTypes(self.folder, self.types, packages)
+        self.rows = SiteRows(self.sites, self.given, self.conditions, needed, typing)
         self.open_declarations = OpenDeclarations()
         self.program_nodes = NodesOfPrograms(self.names, self.modules)
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
@@ -260,7 +242,7 @@ class Linker:
         handles = self.handles.within(NodesHanded(self.sites, self.modules, module))
         given = handle_argument(site.form, site.call)
         handle = handles.of(given, site.env, only=bool(site.form.fixed and site.form.node))
-        for interface, local in self._interfaces(site, handle, node, origin):
+        for interface, local in self.rows.of(site, handle, node, origin):
             found.append(interface)
             self.conditions.note(module, site, interface)
             self.open_declarations.note(module, site, interface)
@@ -269,93 +251,6 @@ class Linker:
             if interface.type == SERVICE:
                 for maker in {unit, site.call.func.holder or site.call.func}:
                     self._servers[module, maker].append(Placed(interface, local, next(iter(site.call.types), "")))
-
-    def _interfaces(
-        self, site: Site, handle: Handle, node: str | None, origin: str | None
-    ) -> Iterator[tuple[Interface, LocalName]]:
-        for each in handle.each():
-            yield from self._below(self.conditions.below(each, site), site, node, origin)
-
-    def _below(
-        self, handle: Handle, site: Site, node: str | None, origin: str | None
-    ) -> Iterator[tuple[Interface, LocalName]]:
-        ros = site.root.file.ros
-        evidence = tuple(Evidence(path, line) for path, line in site.lines())
-        when = self.conditions.of(site)
-        names = self._named(site)
-        is_choice = any("one_of" in (named.confidence, named.beside) for named, _ in names)
-        for written, default in names:
-            named = written if site.form.row.value else without_empty_default(written)
-            named = self.given.renamed(site, named, handle, node)
-            value = of_node(named, node, ros)
-            own = settled(named)
-            local = local_parameter(own, handle, ros) if site.form.row.value else local_name(own, handle, node)
-            name = name_below(site, value, handle, node)
-            if is_never_made(value, name, ros) and not site.form.row.value:
-                continue
-            kind, data = self._begun(site, name.resolved, default)
-            confidence = known_beside(value) if is_below_node(value) else value.confidence
-            if not site.certain or (is_choice and named.confidence == "pattern"):
-                confidence = weaker(confidence, "one_of")  # the name of the node settles a text, no choice
-            if is_below_handle(value, handle):
-                confidence = weaker(confidence, handle.surely)
-            if (value.text == "" and not site.form.row.value) or "{" in name.resolved:
-                confidence = "pattern"  # a name that has no text, or a handle of which not all is known
-            interface = Interface(
-                role=role_of(site.form.role, kind),
-                name=name.resolved,
-                raw_name=name.raw,
-                type=kind,
-                qos=self._qos(site, ros),
-                frame=frame_of(site, self.folder),
-                confidence=confidence,
-                evidence=evidence,
-                default=None if data is UNKNOWN or self.conditions.exclude(default, site) else data,
-                inherited_from=origin,
-                when=when,
-                needed=data in (None, UNKNOWN) and self.needed.has(site),
-            )
-            yield interface, LocalName((name.resolved,)) if site.is_absolute else local
-
-    def _begun(self, site: Site, name: str, default: Bound | None) -> tuple[str | None, Any]:
-        """The type that a site declares, and what it begins with."""
-        kind, data = self._typed(site, default)
-        given = self.given.of(site, name, default)
-        return kind, data if given is default else UNKNOWN if given is None else self._typed(site, given)[1]
-
-    def _typed(self, site: Site, given: Bound | None) -> tuple[str | None, Any]:
-        """The type and default of a site; where an object is made with these, what all places make it with."""
-        default = given.expr if given is not None else None
-        kind, data = self.typing.of(replace(site, env=given.env) if given is not None else site, default)
-        if data is not UNKNOWN or given is None or given.env is not site.env or site.chain:
-            return kind, data
-        places = self.sites.makings(site.call.func, site.call.at)
-        found = [self.typing.of(self.sites.placed(site, place), default) for place in places]
-        agreed = found[0] if found and all(each == found[0] for each in found) else (kind, data)
-        return agreed[0] or kind, agreed[1]
-
-    def _named(self, site: Site) -> list[tuple[Value, Bound | None]]:
-        """Return the names of a site with each default."""
-        form = site.form
-        if form.fixed:
-            return [(fixed_name(site, self.folder), None)]
-        if form.items:
-            listed = [(each.name, each.default) for each in listed_parameters(site, self.folder)]
-            return listed or [(unknown("parameters"), None)]
-        values = self.sites.names.told(site, self.sites.handed_roots.has(site))
-        expr = default_of(site, values, self.folder)
-        default = Bound(expr, site.env) if expr is not None else None
-        place = place_at(site, self.folder)
-        return [(placed(self.conditions.left(value, site), place), default) for value in values[:MAX_NAMES]]
-
-    def _qos(self, site: Site, ros: int | None) -> Qos | None:
-        form = site.form
-        if not form.row.streams and (ros == 1 or not form.profile):
-            return None
-        given = next((expr for expr in self.sites.handed_roots.profiles(site) if not is_callback(expr)), None)
-        if ros == 1:
-            return self.qos.depth(given, latch_argument(form, site.call), site.env, form.implied)
-        return self.qos.read(given or form.implied, site.env)
 
 
 def _key(interface: Interface) -> tuple[str, str, str | None]:

@@ -202,6 +202,10 @@ def _fields(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None
     return lists.folder.data_classes.fields(call, env)
 
 
+def _keys_of_dict(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    return lists.folder.tables.keys(Call(Name(call.path), call.args, call.keywords), env)
+
+
 LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
     {
         "range": _range,
@@ -222,7 +226,7 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "itertools.zip_longest": _zipped_longest,
         "itertools.combinations": _chosen(combinations),
         "itertools.permutations": _chosen(permutations),
-        "dict": lambda lists, call, env: lists.folder.tables.keys(Call(Name(call.path), call.args, call.keywords), env),
+        "dict": _keys_of_dict,
         "keys": _table_part("keys"),
         "values": _table_part("values"),
         "dataclasses.fields": _fields,
