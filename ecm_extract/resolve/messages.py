@@ -14,6 +14,7 @@ from ecm_checker.match.generated import snake
 from ecm_extract.link.code.units import File
 from ecm_extract.resolve.cpp_scopes import enclosing_scopes
 from ecm_extract.resolve.layout import PackageLayout
+from ecm_extract.shipped import shipped
 
 KINDS: Final = frozenset({"msg", "srv", "action"})
 _PARTS: Final = ("ActionGoal", "ActionResult", "ActionFeedback", "Action", "Goal", "Result", "Feedback")
@@ -45,17 +46,26 @@ class Messages:
     def starred(self, name: str, modules: Sequence[str]) -> str | None:
         """Return which of the modules of messages that are taken whole, one after the other, brings a name last.
 
-        What packages of the tree define is known; of several others each can bring the name, and then it is None.
+        What packages of the tree and of the table define is known; of several others each can bring the name, and
+        then it is None.
         """
         unknown: list[str] = []
         for module in dict.fromkeys(reversed(modules)):
             package, _, kind = module.rpartition(".")
-            layout = self._layouts.get(package)
-            if layout is None or not layout.messages:
+            defined = self._defined(package)
+            if not defined:
                 unknown.append(module)
-            elif _defines(layout, kind, name):
+            elif _defines(defined, kind, name):
                 return None if unknown else module
         return unknown[0] if len(unknown) == 1 else None
+
+    def _defined(self, package: str) -> frozenset[str]:
+        """What a package defines, as `msg/Name`, as the tree has it, else as the table does; nothing of others."""
+        layout = self._layouts.get(package)
+        if layout is not None and layout.messages:
+            return layout.messages
+        rows = shipped("resolve/message_packages.toml").get(package, {}) if layout is None else {}
+        return frozenset(f"{kind}/{name}" for kind, names in rows.items() for name in names)
 
     def constant(self, name: str, file: File, scope: str) -> str | float | None:
         """Return the constant of a message that a name means, aliases put in; None of other names.
@@ -90,8 +100,8 @@ class Messages:
         return any(entry.module.startswith(header) for each in files for entry in each.facts.imports)
 
 
-def _defines(layout: PackageLayout, kind: str, name: str) -> bool:
+def _defines(defined: frozenset[str], kind: str, name: str) -> bool:
     """Whether a package has a message, or an action of which ROS 1 generates that message."""
-    actions = {each.partition("/")[2] for each in layout.messages if each.startswith("action/")}
+    actions = {each.partition("/")[2] for each in defined if each.startswith("action/")}
     part = next((name.removesuffix(end) for end in _PARTS if name.endswith(end)), "") if kind == "msg" else ""
-    return f"{kind}/{name}" in layout.messages or part in actions
+    return f"{kind}/{name}" in defined or part in actions

@@ -48,3 +48,35 @@ def test_a_name_that_a_star_brings_is_what_the_rows_call_so(
     }
     found = workspace.package(files, ros=1).interfaces()
     assert {entry.name for entry in found if entry.role == "action_client"} == expected
+
+
+TYPES = """#!/usr/bin/env python
+import rospy
+{imports}
+
+rospy.init_node("demo")
+rospy.Publisher("/out", {name}, queue_size=1)
+"""
+BROUGHT = [
+    ("by one of three that are known", "geometry_msgs nav_msgs std_msgs", "Path", "nav_msgs/msg/Path"),
+    ("by the last one of an unknown and a known", "odd_msgs nav_msgs", "Path", "nav_msgs/msg/Path"),
+    ("by an unknown one or one before it", "nav_msgs odd_msgs", "Path", None),
+    ("by the unknown one, as no known has it", "nav_msgs odd_msgs std_msgs", "Reading", "odd_msgs/msg/Reading"),
+    ("of an action", "nav_msgs std_msgs", "GetMapGoal", "nav_msgs/msg/GetMapGoal"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("packages", "name", "expected"), [row[1:] for row in BROUGHT], ids=[row[0] for row in BROUGHT]
+)
+def test_a_message_is_of_the_package_that_has_it(
+    workspace: Any, packages: str, name: str, expected: str | None
+) -> None:
+    """Which of several packages that are not in the tree brings a name is known of those of the distribution."""
+    imports = "\n".join(f"from {package}.msg import *" for package in packages.split())
+    files = {
+        "scripts/demo.py": TYPES.format(imports=imports, name=name),
+        "CMakeLists.txt": "project(pkg)\ncatkin_install_python(PROGRAMS scripts/demo.py DESTINATION bin)\n",
+    }
+    found = workspace.package(files, ros=1).interfaces()
+    assert [entry.type for entry in found if entry.role == "publisher"] == [expected]

@@ -12,6 +12,7 @@ from ecm_parsers.source.expr import Call, Expr, Name, Table
 from ecm_parsers.source.facts import Class, Field, Function, Parameter, SourceFile, Statement
 
 from ecm_extract.link.code.callables import Callables, held_callables, seen_callables
+from ecm_extract.link.code.deduced import deduced_type
 from ecm_extract.link.code.spelling import is_node_interface
 from ecm_extract.link.code.templates import alike, unified
 from ecm_extract.link.code.walk import calls_in
@@ -145,7 +146,7 @@ class Func:
     def written_types(self) -> Mapping[str, str]:
         """The types of its parameters and variables as written; of several declarations of a name the first."""
         if self._written_types is None:
-            lets = [(entry.target, entry.type) for entry in self.fact.body if entry.kind == "let"]
+            lets = [(each.target, deduced_type(each.type, each.value)) for each in self.fact.body if each.kind == "let"]
             found = {target.id: written for target, written in reversed(lets) if isinstance(target, Name)}
             given = {entry.name: entry.type for entry in reversed(self.fact.params) if entry.type}
             self._written_types = {**found, **given}

@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import THIS, Call, Constant, Expr, Lambda, Member, 
 
 from ecm_extract.link.code.calls import Invocation, invocations, placed_arguments, spreads, unseen_argument
 from ecm_extract.link.code.spelling import by_value, last_name, plain, pointee
-from ecm_extract.link.code.texts import text_arguments
+from ecm_extract.link.code.texts import is_text, text_arguments
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.declaring.client_libraries import is_client_library
 from ecm_extract.link.declaring.forms import Form, FormTable
@@ -215,8 +215,15 @@ def _unseen(text: str, call: Invocation) -> Expr:
 
 
 def handle_argument(form: Form, call: Invocation) -> Expr | None:
-    """Return the node or node handle that a call names its endpoint below; None for that of its own object."""
-    return next(positions(form.node, call), None) if form.node else call.receiver
+    """Return the node or node handle that a call names its endpoint below; None for that of its own object.
+
+    Where the name is the first text, an overload without a handle has that text in the place of one.
+    """
+    if not form.node:
+        return call.receiver
+    found = next(positions(form.node, call), None)
+    is_name = found is not None and "text:" in form.name and is_text(found, call.func)
+    return None if is_name else found
 
 
 def name_argument(form: Form, call: Invocation) -> Expr | None:

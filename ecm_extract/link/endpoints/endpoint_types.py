@@ -175,6 +175,8 @@ class EndpointTypes:
         bound = env.args.get(out.id) if isinstance(out, Name) else None
         if bound is not None and plain(written) == "auto":  # a template without a head, or a generic lambda
             return self._out_type(bound.expr, bound.env)
+        if isinstance(out, Name) and plain(written) in {"", "auto"}:
+            written = env.func.written_types.get(out.id, "")
         if written and plain(written) in env.func.fact.template:
             return self._deduced(plain(written), env)
         return declared_type(plain_type(written)) if written else None

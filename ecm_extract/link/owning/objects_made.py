@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ecm_parsers.source.expr import THIS
+
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.dispatching import is_early
 from ecm_extract.link.declaring.site import Site
@@ -29,7 +31,26 @@ class ObjectsMade:
         methods = [each for each in self._by_name(site) if is_virtual(each, self.program)]
         made = self._made_by(module, cls) if cls is not None and methods else ()
         runs = self.sites.dispatching.runs
-        return not made or any(all(runs(method, each) for method in methods) for each in made)
+        runs_root = not made or any(all(runs(method, each) for method in methods) for each in made)
+        return runs_root and all(self._is_had(method, module) for method in self._of_others(site))
+
+    def _of_others(self, site: Site) -> Iterator[Func]:
+        """The virtual methods on the way that are called on other objects, of whichever class these are."""
+        inwards = (call.func for call in (*site.chain[1:], site.call))
+        for call, method in zip(site.chain, inwards, strict=False):
+            is_other = call.receiver is not None and call.receiver != THIS
+            if is_other and method.cls is not None and is_virtual(method, self.program):
+                yield method
+
+    def _is_had(self, method: Func, module: Module) -> bool:
+        """Whether a program can have an object that runs a method: it makes one, or the tree does not show who does."""
+        cls = method.cls
+        if cls is None or module.main is None:
+            return True
+        family = (cls, *self.program.derived(cls))
+        shown = all(map(self.makers.are_named, family)) and any(map(self.sites.makers, family))
+        runs = self.sites.dispatching.runs
+        return not shown or any(runs(method, each) for each in self.made.of(module, cls))
 
     def _class_of(self, site: Site) -> Cls | None:
         """The class of the object that runs the outermost function of a site."""
