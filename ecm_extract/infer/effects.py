@@ -35,7 +35,7 @@ from ecm_extract.infer.reading_calls import leaves_arguments
 from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
-from ecm_extract.link.code.spelling import last_name, may_be_written
+from ecm_extract.link.code.spelling import is_constant_value, last_name, may_be_written
 from ecm_extract.link.code.walk import given_to, last_of
 
 if TYPE_CHECKING:
@@ -286,7 +286,12 @@ class Effects:
     def _is_constant(self, key: str) -> bool:
         """Whether a variable of C++ is declared so that nobody can change it."""
         written = self.func.written_types.get(key, "")
-        return "const" in written.split() or written.split()[:1] == ["constexpr"]
+        return "const" in written.split() or written.split()[:1] == ["constexpr"] or self.is_constant_value(key)
+
+    def is_constant_value(self, key: str) -> bool:
+        """Whether a variable of C++, one of a loop too, is declared as a constant that is no pointer."""
+        each = (entry.type for entry in self.func.fact.body if entry.kind == "each" and entry.target == Name(key))
+        return not self.python and is_constant_value(self.func.written_types.get(key) or next(each, ""))
 
     def _by_reference(self, call: Call, arg: Expr, target: Func, name: str, root: str) -> Iterator[Effect]:
         written = next((entry.type for entry in target.fact.params if entry.name == name), "")

@@ -101,6 +101,9 @@ class Judge(Targets, Protocol):
     def text(self, expr: Expr, env: Env) -> str | None:
         """Return the text that an expression surely is; None where that is not known."""
 
+    def likely(self, test: Expr, env: Env) -> bool | None:
+        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not decided."""
+
     def decided(self, fork: Fork) -> Verdict:
         """Tell whether what a branch asks holds, or something raises, and whether it likely does."""
 

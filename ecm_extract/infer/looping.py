@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from ecm_parsers.source.expr import Constant, Number
+from collections.abc import Collection
+
+from ecm_parsers.source.expr import Constant, Expr, Number
 from ecm_parsers.source.flow import Leave, Loop, statements, steps
 
 from ecm_extract.infer.assigning import Assigning
@@ -87,7 +89,8 @@ class Looping:
                     self.blocks.unreached(loop.body, current)
                 return self._exit(loop, current)
             if holds is None or count == MAX_ROUNDS or self.frame.steps > MAX_STEPS:
-                return self._exit(loop, self._blur(loop, current))
+                counted = self._counted(loop, loop.test, current) if not count else ()
+                return self._exit(loop, self._blur(loop, current, counted))
             before = self._left()
             after = self._round(loop, current)
             if after is None:
@@ -111,8 +114,16 @@ class Looping:
         ends = any(isinstance(step, Leave) and step.how != "continue" for step in steps(loop.body))
         return ends or any(self.frame.body[at].kind == "return" for at in statements(loop.body))
 
-    def _blur(self, loop: Loop, state: State) -> State | None:
-        """Run the body once with what it changes unknown, which stands for any number of rounds."""
+    def _counted(self, loop: Loop, test: Expr, state: State) -> Collection[str]:
+        """What counts the rounds of a loop that has none as long as nobody sets a parameter."""
+        begins = loop.first or self.frame.judge.likely(test, self.frame.place(state)) is not False
+        return () if begins else self.memory.changed_in(loop.step)
+
+    def _blur(self, loop: Loop, state: State, counted: Collection[str] = ()) -> State | None:
+        """Run the body once with what it changes unknown, which stands for any number of rounds.
+
+        `counted`: what counts the rounds where none is the first to tell.
+        """
         if loop.each >= 0:
             state = self._begun(loop, state)
             self.assigning.enter(self.frame.body[loop.each], state)
@@ -131,8 +142,9 @@ class Looping:
         self.frame.blurred -= 1
         ends = after.holds if after is not None else {}
         for key, head in heads.items():
-            self._close(head, self.memory.known(key, before, None), ends.get(key, ()))
-        return self._exit(loop, joined_states([start, after]))
+            known = () if key in counted else self.memory.known(key, before, None)
+            self._close(head, known, ends.get(key, ()))
+        return self._exit(loop, joined_states([*([state] if counted else []), start, after]))
 
     def _close(self, head: Held, before: tuple[Held, ...], after: tuple[Held, ...]) -> None:
         """What a variable holds when a round begins: what it held before the loop, or what a round left."""

@@ -7,14 +7,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Items, Name, Op, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Name, Op
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks, steps
 
 from ecm_extract.infer.bare_names import shared_names
-from ecm_extract.infer.effect import Effect
-from ecm_extract.infer.effects import Effects, is_plain
+from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.inner import function_named, only_called
+from ecm_extract.infer.left_alone import is_left_alone
 from ecm_extract.infer.other_names import changed_around, changed_by_other_names
 from ecm_extract.infer.places import caught_names, own_names, target_of
 from ecm_extract.infer.raising import may_raise
@@ -299,23 +299,13 @@ class Outline:
         for at, statement in enumerate(func.fact.body):
             targets = [statement.target] if statement.kind in {"set", "each"} else []
             keys += [inner.key(target) or inner.root(target) for target in targets]
-            keys += [effect.key for effect in inner.of(at) if not bound and not self._is_text(effect)]
+            keys += [effect.key for effect in inner.of(at) if not bound and not is_left_alone(effect, self.effects)]
             shown = statement.kind == "return" and not bound and "reference" in func.fact.traits
             keys += [inner.root(statement.value)] if shown else []  # who calls it may change what it shows
         for key in keys:
             if key.split(".")[0] not in inner.own:
                 own_or_dotted = key in self.effects.own or "." in key
                 yield key if own_or_dotted or not self.effects.is_member(key) else f".{key}"
-
-    def _is_text(self, effect: Effect) -> bool:
-        """Whether somebody only gets a variable that is declared as a literal text, which nobody can change."""
-        if self.python:
-            bound = [entry for entry in self.func.fact.body if entry.target == Name(effect.key)]
-            return effect.kind == "handed" and bool(bound) and all(is_plain(entry.value) for entry in bound)
-        body = self.func.fact.body
-        lets = [entry for entry in body if entry.kind == "let" and entry.target == Name(effect.key)]
-        fixed = all(isinstance(entry.value, Text) and ("*" in entry.type or entry.type == "auto") for entry in lets)
-        return effect.kind == "handed" and bool(lets) and fixed
 
 
 def _is_given(call: Call, func: Func) -> bool:

@@ -15,6 +15,7 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
 from ecm_extract.link.declaring.listed import defaults_of
 from ecm_extract.link.declaring.match import Matcher, handle_argument
+from ecm_extract.link.declaring.named_by_defaults import named_by_defaults
 from ecm_extract.link.declaring.parameters import Home, Parameters
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
@@ -134,8 +135,7 @@ class Linker:
         """Find the parameters that are declared; what values are is known from then on."""
         self.generated.declare(self.parameters)
         self._declare_ports()
-        self.parameter_sites = self.sites.find(parameters=True)
-        self._declare_defaults(self.parameter_sites)
+        self.parameter_sites = named_by_defaults(self.sites, self._declare_defaults)
         self.folder.forget()
         self.given.forget()
 

@@ -138,3 +138,30 @@ def test_options_that_a_constructor_has_by_default_say_what_its_node_takes(
     """The default stands where the constructor is declared, not where it is defined."""
     found = workspace.package({"src/arm.hpp": ARM.format(says=says), "src/main.cpp": ARM_SOURCE}).interfaces()
     assert {each.name for each in found if each.role == "parameter"} == names
+
+
+DERIVED = """
+#include "joint_trajectory_controller/joint_trajectory_controller.hpp"
+class Scaled : public {base} {{
+public:
+  CallbackReturn on_activate(const rclcpp_lifecycle::State & state) override {{
+    if (get_node()->has_parameter("order")) order_ = get_node()->get_parameter("order").as_int();
+    return CallbackReturn::SUCCESS;
+  }}
+  int order_ = 1;
+}};
+PLUGINLIB_EXPORT_CLASS(Scaled, controller_interface::ControllerInterface)
+"""
+BASES = [
+    ("controller_interface::ControllerInterface", {"order"}),
+    ("joint_trajectory_controller::JointTrajectoryController", {"order"}),
+    ("steering_controllers_library::SteeringControllersLibrary", {"order"}),
+    ("elsewhere::Base", set()),
+]
+
+
+@pytest.mark.parametrize(("base", "names"), BASES, ids=[row[0] for row in BASES])
+def test_controllers_take_what_they_do_not_declare_also_by_others(workspace: Any, base: str, names: set[str]) -> None:
+    """A controller that another one of ros2_controllers is the base of has its node from the same one."""
+    found = workspace.package({"src/scaled.cpp": DERIVED.format(base=base)}).interfaces()
+    assert {row.name for row in found if row.role == "parameter"} == names

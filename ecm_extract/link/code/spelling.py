@@ -61,6 +61,13 @@ def is_pointer(last: str) -> bool:
 
 
 @lru_cache(maxsize=MAX_SPELLINGS)
+def is_constant_value(written: str) -> bool:
+    """Tell whether a type is stated as that of a constant that is no pointer: who gets one cannot change it."""
+    words = written.split()
+    value = written.strip().removeprefix("const ").rstrip("& ")
+    return "const" in words and "auto" not in words and "*" not in written and pointee(written) == value
+
+
 def pointee(written: str) -> str:
     """Return the class that a type's objects are of: through smart pointers and `::SharedPtr` aliases."""
     text = written.strip().removeprefix("const ").rstrip("&*[] ")

@@ -41,6 +41,11 @@ class Parameters:
 
     def read(self, call: Invocation) -> ParameterRead | None:
         """Return what a call reads that gives the value of a parameter."""
+        read = self._read(call)
+        tells = read is not None and call.func.file.language == "cpp" and self._out(call) is not None
+        return read._replace(tells=True, node=call.receiver) if read is not None and tells else read
+
+    def _read(self, call: Invocation) -> ParameterRead | None:
         form = self._form(call)
         if form is not None:
             name = name_argument(form, call)

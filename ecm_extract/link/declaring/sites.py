@@ -7,7 +7,7 @@ for a class that passes a constructor argument or template argument on: each pla
 from __future__ import annotations
 
 from collections import defaultdict, deque
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence, Set
 from dataclasses import replace
 
 from ecm_extract.link.code.calls import Invocation, spreads
@@ -32,7 +32,6 @@ from ecm_extract.link.declaring.starred import starred
 from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.declaring.transports import transported
 from ecm_extract.link.declaring.unbound import bound
-from ecm_extract.link.declaring.unheard import heard
 from ecm_extract.link.declaring.ways_in import WaysIn
 from ecm_extract.link.declaring.wrappers import remember_wrapper
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
@@ -109,15 +108,16 @@ class Sites:
         matcher.undeclared.makers = lambda cls: (call.func for call in self.makers(cls))
         matcher.undeclared.callers = self._askers
 
-    def find(self, parameters: bool) -> list[Site]:
-        """Return the sites of parameters, or of everything else."""
+    def find(self, parameters: bool, among: Set[tuple[Func, int]] | None = None) -> list[Site]:
+        """Return the sites of parameters, or of everything else, in some statements or anywhere."""
         self.folder.forget()
         found: list[Site] = []
         for last in self.matcher.forms:
-            for call in self._dead.without(self.calls.get(last, ())):
+            calls = (call for call in self.calls.get(last, ()) if among is None or (call.func, call.at) in among)
+            for call in self._dead.without(calls):
                 with self.folder.faults.of(call.func):
                     found += [closed for site in self._direct(call, parameters) for closed in self._closed(site)]
-        return heard(found, self.matcher.undeclared, self.program) if parameters else found
+        return found
 
     def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func

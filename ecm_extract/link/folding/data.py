@@ -96,7 +96,7 @@ def _call(expr: Call, env: Env, folder: Folder, depth: int) -> Any:
         return _power(*[data_of(arg, env, folder, depth + 1) for arg in expr.args])
     call = invocation_of(expr, env)
     read = folder.reads.read(call)
-    if read is not None and read.default is not None:
+    if read is not None and read.default is not None and not read.tells:
         return data_of(read.default, env, folder, depth + 1)
     if call.path in PARAMETER_OBJECTS:
         return data_of(value_of_parameter(call), env, folder, depth + 1)

@@ -216,13 +216,20 @@ class HeldFolder:
         """A parameter that is read into a variable: where it is not set, the variable keeps what it held."""
         if held.expr is None:
             return (unknown(_label(held.name)),)
-        values = self.folder.parameters.parameter_value(held.expr, held.more, env)
+        values = self.folder.parameters.parameter_value(held.expr, self._instead(held, env), env)
         kept = self._before(held, env) if held.before and held.more is None else ()
         kept = tuple([value for value in kept if value.text and value.confidence != "pattern"])
         lasts = env.func.file.ros == 1  # there a default of another read is known to nobody but that one
         if kept and (lasts or any(value.confidence == "pattern" for value in values)):
             return self.folder.parameters.kept_value(held.expr, kept, env)
         return values
+
+    def _instead(self, held: Held, env: Env) -> Expr | None:
+        """What a call has instead of a parameter: in ROS 2 that is asked for only where nobody declares it."""
+        if held.more is None or held.expr is None or env.func.file.ros != 2:
+            return held.more
+        parameters = self.folder.parameters
+        return None if parameters.is_declared(self.folder.fold(held.expr, env), env) else held.more
 
     def _made(self, held: Held, _: Env) -> tuple[Value, ...]:
         """A variable that is declared without a value."""

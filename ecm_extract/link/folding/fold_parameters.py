@@ -5,14 +5,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Opaque
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Opaque
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, File
 from ecm_extract.link.folding import formats
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.parameter_reads import ParameterRead
-from ecm_extract.link.running.values import Value, alternatives, lowered, set_by, setting_of, unknown
+from ecm_extract.link.running.values import (
+    Value,
+    alternatives,
+    constant,
+    is_proved,
+    lowered,
+    set_by,
+    setting_of,
+    unknown,
+)
 from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
@@ -42,8 +51,19 @@ class ParameterFolder:
 
     def read_value(self, read: ParameterRead, env: Env) -> tuple[Value, ...]:
         """Return what a call gives that reads a parameter: a fallback only where its node does not declare that."""
+        if read.tells and env.func.file.ros == 2:
+            return self._is_there(read, env)
         declared = read.is_fallback and self.is_declared(self.folder.fold(read.name, env), env)
         return self.parameter_value(read.name, None if declared else read.default, env)
+
+    def _is_there(self, read: ParameterRead, env: Env) -> tuple[Value, ...]:
+        """Whether a parameter of ROS 2 has a value: one that is declared with a default has, whoever sets it."""
+        named = self.folder.fold(read.name, env)[0]
+        known = self.folder.reads.default(named.text, env.func.file.package, self.owners(env))
+        if known is None or (not isinstance(known, Value) and formats.is_unset(known[0])):
+            return (setting_of(named.text, None),)
+        surely = is_proved(named) and not isinstance(known, Value) and _is_before(known[1], env, read.node)
+        return lowered((constant(True),), "folded" if surely else "default")
 
     def is_declared(self, names: Sequence[Value], env: Env) -> bool:
         """Tell whether the class at hand, or the file of a function, declares a parameter of one of several names."""
@@ -82,6 +102,22 @@ class ParameterFolder:
             return values
         empty = "" if values and values[0].data is None else None
         return (setting_of(name, empty),)
+
+
+def _is_before(one: Env, other: Env, node: Expr | None) -> bool:
+    """Whether a call on a node has surely run where another is run: earlier in its function, and in no block."""
+    if one.func is not other.func or not 0 <= one.at < min(other.at, len(one.func.calls)):
+        return False
+    body = one.func.fact.flow or tuple(range(len(one.func.fact.body)))
+    return one.at in body and any(_called_on(call) == _same_object(node) for call in one.func.calls[one.at])
+
+
+def _called_on(call: Call) -> Expr | None:
+    return _same_object(call.callee.base) if isinstance(call.callee, Member) else None
+
+
+def _same_object(expr: Expr | None) -> Expr | None:
+    return None if expr == THIS else expr
 
 
 def value_of_parameter(call: Invocation) -> Expr:

@@ -257,6 +257,10 @@ class Flow:
         """Tell whether a condition holds; None when that is not decided."""
         return self.truths.holds(test, env)
 
+    def likely(self, test: Expr, env: Env) -> bool | None:
+        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not decided."""
+        return self.truths.verdict(test, env).likely
+
     def decided(self, fork: Fork) -> Verdict:
         """Tell whether what a branch asks holds, or something raises, and whether it likely does."""
         return self.decisions.of(fork)

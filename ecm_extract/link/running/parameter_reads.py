@@ -23,11 +23,16 @@ class MethodRead(NamedTuple):
 
 
 class ParameterRead(NamedTuple):
-    """The name of a parameter that a call reads, and its default; of a fallback what is declared holds before it."""
+    """The name of a parameter that a call reads, and its default; of a fallback what is declared holds before it.
+
+    `tells`: the call gives a variable the value, and itself whether there was one; `node` is what it is called on.
+    """
 
     name: Expr
     default: Expr | None
     is_fallback: bool = False
+    tells: bool = False
+    node: Expr | None = None
 
 
 class ParameterReads(Protocol):
