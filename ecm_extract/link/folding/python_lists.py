@@ -187,6 +187,10 @@ def _table_part(which: str) -> _Giver:
     return work
 
 
+def _keys_of_made(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    return lists.folder.tables.keys(Call(Name(call.path), call.args, call.keywords), env)
+
+
 def _split(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
     if call.receiver is None:
         return None
@@ -222,7 +226,7 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "itertools.zip_longest": _zipped_longest,
         "itertools.combinations": _chosen(combinations),
         "itertools.permutations": _chosen(permutations),
-        "dict": lambda lists, call, env: lists.folder.tables.keys(Call(Name(call.path), call.args, call.keywords), env),
+        "dict": _keys_of_made,
         "keys": _table_part("keys"),
         "values": _table_part("values"),
         "dataclasses.fields": _fields,
