@@ -268,7 +268,7 @@ class QosVariables:
         return agreed(found)
 
     def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
-        """What its constructor makes of a member, or declares it with, beside what methods give it: they may run before."""
+        """What its constructor makes of a member, or declares it with, beside what methods give it before."""
         asked = (cls, key, env.made)
         if asked in self._begun:
             return self._begun[asked]
