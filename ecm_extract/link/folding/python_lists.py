@@ -13,6 +13,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, N
 from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.folding.asked_together import asked_together, asking
 from ecm_extract.link.folding.python_sets import SET_METHODS, SET_OPERATORS, set_by_method, set_by_operator, set_of
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import data_in, is_proved
@@ -227,6 +228,7 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "itertools.combinations": _chosen(combinations),
         "itertools.permutations": _chosen(permutations),
         "dict": _keys_of_made,
+        **dict.fromkeys(asking(), asked_together),
         "keys": _table_part("keys"),
         "values": _table_part("values"),
         "dataclasses.fields": _fields,
