@@ -14,6 +14,7 @@ from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.folding.asked_together import asked_together, asking
+from ecm_extract.link.folding.paired_tables import MAKERS
 from ecm_extract.link.folding.python_sets import SET_METHODS, SET_OPERATORS, set_by_method, set_by_operator, set_of
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import data_in, is_proved
@@ -227,7 +228,8 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "itertools.zip_longest": _zipped_longest,
         "itertools.combinations": _chosen(combinations),
         "itertools.permutations": _chosen(permutations),
-        "dict": _keys_of_made,
+        **dict.fromkeys(MAKERS, _keys_of_made),
+        "collections.deque": _copied,
         **dict.fromkeys(asking(), asked_together),
         "keys": _table_part("keys"),
         "values": _table_part("values"),
