@@ -120,8 +120,18 @@ class CallTargets:
         if not isinstance(known, Cls):
             return cls in known
         if func.file.language == "python" or func.is_constructor:
-            return cls in self.folder.program.ancestry(known) or self._fills(func, cls, known)
+            has = cls in self.folder.program.ancestry(known)
+            return (has and not self._is_hidden(func, cls, known)) or self._fills(func, cls, known)
         return self._dispatching.may_mean(call, func, known)
+
+    def _is_hidden(self, func: Func, cls: Cls, known: Cls) -> bool:
+        """Whether each object of a class of Python has another method of the name before one of its bases."""
+        program = self.folder.program
+        if func.is_constructor or func.file.language != "python":
+            return False
+        lines = (program.ancestry(each) for each in (known, *program.derived(known)))
+        nearest = (next((each for each in line if _has(each, func.fact.name)), cls) for line in lines)
+        return all(each is not cls for each in nearest)
 
     def _of_bases(self, call: Invocation, own: Cls) -> Iterator[Func]:
         """The methods that `super().name()` may mean, of objects of a class and of those that derive from it."""
@@ -154,6 +164,10 @@ class CallTargets:
             return owner
         written = plain(pointee(self.folder.objects.type_of(call.receiver, env)))
         return _Any() if not written or written == "auto" or written in _templates(call.func) else ()
+
+
+def _has(cls: Cls, name: str) -> bool:
+    return any(method.fact.name == name for method in cls.methods)
 
 
 class _Any(Container[Cls]):

@@ -17,7 +17,7 @@ from ecm_extract.link.code.walk import expressions, last_of
 from ecm_extract.link.endpoints.qos_handed import stays
 from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, preset_of
 from ecm_extract.link.folding.declared_members import is_surely_made
-from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.env import Env, Instance
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 _REMADE = "emplace"
 """The method of an optional that makes what it holds."""
 Policies = dict[str, Any]
+_End = tuple[Run | None, Env]
 """Policy -> its value."""
 
 
@@ -47,7 +48,7 @@ class QosVariables:
     def __init__(self, folder: Folder, profiles: Profiles) -> None:
         self.folder = folder
         self.profiles = profiles
-        self._begun: dict[tuple[Cls, str], Policies | None] = {}
+        self._begun: dict[tuple[Cls, str, Instance | None], Policies | None] = {}
         self._asked: set[Hashable] = set()
 
     def at(self, expr: Name | Member, env: Env, level: int) -> Policies | None:
@@ -267,30 +268,28 @@ class QosVariables:
         return agreed(found)
 
     def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
-        """What its constructor makes of a member, or what it is declared with, and what other methods make of that.
-
-        What it is declared with counts beside what other methods give it: some may run before.
-        """
-        if (cls, key) in self._begun:
-            return self._begun[cls, key]
+        """What its constructor makes of a member, or declares it with, beside what methods give it before."""
+        asked = (cls, key, env.made)
+        if asked in self._begun:
+            return self._begun[asked]
         if self.folder.changed_outside.is_changed(key[1:], cls):
             return dict(UNSEEN)
-        self._begun[cls, key] = self._declared(key[1:], cls, env, level)
+        self._begun[asked] = self._declared(key[1:], cls, env, level)
         try:
             ends = list(self.folder.members.ends(key[1:], cls, env))
-            made = self._left(key, cls, [end for end in ends if end[1].func.is_constructor], level)
-            self._begun[cls, key] = agreed(made) if made else self._begun[cls, key]
-            later = self._left(key, cls, [end for end in ends if not end[1].func.is_constructor], level)
-            declared = self._begun[cls, key] if not made else None
+            made = self._left(key, self._begun[asked], [end for end in ends if end[1].func.is_constructor], level)
+            self._begun[asked] = agreed(made) if made else self._begun[asked]
+            later = self._left(key, self._begun[asked], [end for end in ends if not end[1].func.is_constructor], level)
+            declared = self._begun[asked] if not made else None
             stays = declared is not None and not (later and is_surely_made(key[1:], cls, env, self.folder))
             found = [*made, *later, *([declared] if declared is not None and stays else [])]
             return preset_of(self._type_of(key[1:], cls)) | agreed(found) if found else None
         finally:
-            del self._begun[cls, key]
+            del self._begun[asked]
 
-    def _left(self, key: str, cls: Cls, ends: Iterable[tuple[Run | None, Env]], level: int) -> list[Policies]:
+    def _left(self, key: str, begun: Policies | None, ends: Iterable[_End], level: int) -> list[Policies]:
         """What methods leave a member with that they give something."""
-        found = [self._at_end(key, self._begun[cls, key], run, place, level) for run, place in ends]
+        found = [self._at_end(key, begun, run, place, level) for run, place in ends]
         return [policies for policies in found if policies is not None]
 
     def _at_end(self, key: str, begun: Policies | None, run: Run | None, place: Env, level: int) -> Policies | None:

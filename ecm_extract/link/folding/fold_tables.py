@@ -15,6 +15,7 @@ from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
 from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.folding.captured import captured, is_around
 from ecm_extract.link.folding.declared_members import only_source
+from ecm_extract.link.folding.paired_tables import MAKERS, pairs_of
 from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
@@ -178,7 +179,7 @@ class TableFolder:
             if call.path == "dataclasses.asdict":
                 found = self.folder.data_classes.entries(call, env)
                 return [Entry(Bound(Text(key), env), value) for key, value in found] if found is not None else None
-            if call.path == "dict":
+            if call.path in MAKERS:
                 return self._made(call, env)
             copies = call.last == "copy" and call.receiver is not None and not call.args
             return self.entries(call.receiver, env) if copies else self._returned_entries(call, env)
@@ -189,11 +190,16 @@ class TableFolder:
 
     def _made(self, call: Invocation, env: Env) -> list[Entry] | None:
         """The entries of `dict(other, key=value)`: those of the other one, and what is given by name over them."""
-        found = [self.entries(base, env) for base in call.args[:1]]
+        found = [self._entries_or_pairs(base, env) for base in call.args[:1]]
         for key, value in call.keywords:
             given = self.entries(value, env) if key == SPREAD else [Entry(Bound(Text(key), env), Bound(value, env))]
             found.append(given)
         return _one_after_the_other(found)
+
+    def _entries_or_pairs(self, base: Expr, env: Env) -> list[Entry] | None:
+        known = self.entries(base, env)
+        pairs = pairs_of(base, env, self.folder) if known is None else None
+        return [Entry(*pair) for pair in pairs] if pairs is not None else known
 
     def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
         callee = self.folder.returns.meant(call, env)

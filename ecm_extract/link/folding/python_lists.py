@@ -13,6 +13,8 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, N
 from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.folding.asked_together import asked_together, asking
+from ecm_extract.link.folding.paired_tables import MAKERS
 from ecm_extract.link.folding.python_sets import SET_METHODS, SET_OPERATORS, set_by_method, set_by_operator, set_of
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import data_in, is_proved
@@ -187,6 +189,10 @@ def _table_part(which: str) -> _Giver:
     return work
 
 
+def _keys_of_made(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    return lists.folder.tables.keys(Call(Name(call.path), call.args, call.keywords), env)
+
+
 def _split(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
     if call.receiver is None:
         return None
@@ -200,10 +206,6 @@ def _split(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
 
 def _fields(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
     return lists.folder.data_classes.fields(call, env)
-
-
-def _keys_of_dict(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    return lists.folder.tables.keys(Call(Name(call.path), call.args, call.keywords), env)
 
 
 LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
@@ -226,7 +228,9 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "itertools.zip_longest": _zipped_longest,
         "itertools.combinations": _chosen(combinations),
         "itertools.permutations": _chosen(permutations),
-        "dict": _keys_of_dict,
+        **dict.fromkeys(MAKERS, _keys_of_made),
+        "collections.deque": _copied,
+        **dict.fromkeys(asking(), asked_together),
         "keys": _table_part("keys"),
         "values": _table_part("values"),
         "dataclasses.fields": _fields,

@@ -17,6 +17,7 @@ from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, named_parts
 from ecm_extract.link.folding.left_by_constructors import left_by_constructors
+from ecm_extract.link.folding.replaced_fields import with_fields_in_place
 from ecm_extract.link.folding.same_objects import by_variable, is_as_made, left_by_maker, place_now, variable_given
 from ecm_extract.link.folding.subscripts import taken
 from ecm_extract.link.running.arguments import bind
@@ -265,7 +266,9 @@ class StructureFolder:
         Where a function gives it, it is the variable of that which it gives back.
         """
         found = self._made(expr, env)
-        return self.folder.returns.given_back(self.folder.own_copies.copied(found)) if found is not None else None
+        if found is None:
+            return None
+        return self.folder.returns.given_back(self.folder.own_copies.copied(with_fields_in_place(found, self.folder)))
 
     def _made(self, expr: Expr, env: Env) -> Bound | None:
         if isinstance(expr, Call) and self.class_called(expr, env) is not None:
