@@ -38,6 +38,7 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.launch_values import value_requirements
 from ecm_extract.requires.name_lines import line_of_name
 from ecm_extract.requires.place import Place, required
+from ecm_extract.requires.xacro_commands import given_to_descriptions
 
 _FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
 """A file of a package: the package, the folders, the name, which stands there as a whole."""
@@ -228,6 +229,7 @@ def _of_parameter(action: ParameterValue, place: Place, package: str | None) -> 
     name = plain(action.name)
     if name:
         yield required("gives_parameter", name, place, "likely", package=package or None)
+    yield from given_to_descriptions(action.value, place)
     for managed in _listed(action.value) if name == MANAGED else ():
         yield required("manages", managed, place, "likely")
 

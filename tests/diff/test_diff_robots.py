@@ -112,6 +112,50 @@ def test_arguments_of_a_description(tmp_path: Path, capsys: pytest.CaptureFixtur
     }
 
 
+PYTHON = """from launch import LaunchDescription
+from launch.substitutions import Command, FindExecutable, LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    path = PathJoinSubstitution([FindPackageShare('cell'), 'urdf', 'cell.xacro'])
+    words = [{program}, ' ', path, ' side:=', LaunchConfiguration('side'), ' {argument}:=1']
+    robot = {{'robot_description': ParameterValue(Command(words), value_type=str)}}
+    return LaunchDescription([Node(package='robot_state_publisher', executable='robot_state_publisher',
+                                   parameters=[robot])])
+"""
+XML = """<launch>
+  <node pkg="robot_state_publisher" exec="robot_state_publisher">
+    <param name="robot_description"
+           value="$(command 'xacro $(find-pkg-share {package})/urdf/cell.xacro side:=$(var side) {argument}:=1')"/>
+  </node>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "line"),
+    [
+        ("launch/a.launch.xml", XML.format(package="cell", argument="imu_x"), 3),
+        ("launch/a.launch.py", PYTHON.format(program="'xacro'", argument="imu_x"), 12),
+        ("launch/a.launch.py", PYTHON.format(program="FindExecutable(name='xacro')", argument="imu_x"), 12),
+        ("launch/a.launch.py", PYTHON.format(program="'cat'", argument="imu_x"), None),
+        ("launch/a.launch.xml", XML.format(package="cell", argument="imu_y"), None),
+        ("launch/a.launch.xml", XML.format(package="other", argument="imu_x"), None),
+    ],
+)
+def test_who_gives_an_argument_that_is_gone(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], path: str, text: str, line: int | None
+) -> None:
+    """A launch file that hands xacro a value for it is told, and no other."""
+    before = '<xacro:arg name="side" default="left"/><xacro:arg name="imu_x" default="0"/>'
+    robots(tmp_path, XACRO.format(before), XACRO.format('<xacro:arg name="side" default="left"/>'))
+    found = compared(tmp_path, capsys, {path: text})["findings"]
+    assert [(each["rule"], each["evidence"][0]["line"]) for each in found] == ([("VER001", line)] if line else [])
+
+
 def test_a_command_interface_that_is_gone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Controllers that claim it are refused."""
     robots(tmp_path, ROBOT.format(camera="eye", commands=VELOCITY), ROBOT.format(camera="eye", commands=""))

@@ -149,6 +149,25 @@ def pipeline(name: str) -> Files:
     }
 
 
+def read_twice(between: str) -> Files:
+    """A parameter that a function reads into two variables, with something between the two reads."""
+    lines = (
+        "#include <ros/ros.h>",
+        "int main(int argc, char ** argv) {",
+        '  ros::init(argc, argv, "base");',
+        '  ros::NodeHandle handle("~/limits");',
+        "  double speed = 0.0, force = 0.0;",
+        "#if WITH_SPEED",
+        '  handle.param("speed", speed, 1.0);',
+        between,
+        '  handle.param("speed", force, 1.0);',
+        "#endif",
+        "  return 0;",
+        "}",
+    )
+    return {"src/base.cpp": "\n".join(lines) + "\n", "CMakeLists.txt": CMAKE.format("base")}
+
+
 def self_named(read: str) -> Files:
     return {"scripts/plane.py": script("plane", f"rospy.get_param('~{read}', 1)")}
 

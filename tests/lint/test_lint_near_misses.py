@@ -73,6 +73,7 @@ ROWS = [
     ("installed by its path", "LNT003", 1, sources_of.configured("bin/runner"), sources_of.configured("bin/x"), None),
     ("of a stranger", "LNT029", 1, files_of.moved(""), files_of.moved("driver"), None),
     ("named by another parameter", "LNT005", 1, files_of.pipeline("pipeline_of_filters"), files_of.pipeline("x"), None),
+    ("one build or the other", "LNT014", 1, files_of.read_twice("#else"), files_of.read_twice(""), None),
     (
         "a parameter called as its node",
         "LNT014",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
 from ecm_checker.contract import Evidence
@@ -13,6 +13,7 @@ from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
+from ecm_extract.lint.either_side import on_either_side
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -37,9 +38,16 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for value in workspace.linker.sites.names.of(site):
             if target and value.confidence in {"literal", "folded"} and not site.chain:
                 reads.setdefault((site.call.func, handle, value.text), {}).setdefault(target, site)
-    for (_, _, name), targets in reads.items():
-        if len(targets) > 1:
-            yield _several(name, list(targets.items()))
+    for (func, _, name), targets in reads.items():
+        met = [(target, site) for target, site in targets.items() if _meets_another(site, targets.values(), func)]
+        if met:
+            yield _several(name, met)
+
+
+def _meets_another(site: Site, others: Iterable[Site], func: Func) -> bool:
+    """Whether a run that has one read can have another one too."""
+    flow, at = func.fact.flow, site.call.at
+    return any(other is not site and not on_either_side(flow, at, other.call.at) for other in others)
 
 
 def _doubled(workspace: Workspace) -> Iterator[Finding]:
