@@ -5,12 +5,13 @@ Only what neither runs code nor grows without bound; everything else is unknown.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.formats import as_formatted, formatted
 from ecm_parsers.python.library import joined_path
+from ecm_parsers.python.operators import truth
 from ecm_parsers.python.values import (
     MAX_ITEMS,
     Many,
@@ -19,17 +20,15 @@ from ecm_parsers.python.values import (
     Unknown,
     Value,
     as_str,
+    hashable,
     is_counted,
+    is_plain,
     is_yaml_file,
     merged_text,
     template_of,
 )
-from ecm_parsers.template import Substitution
+from ecm_parsers.template import Substitution, Template
 
-_MAX_INDEX = 6
-"""Digits of an index that are read: no call has as many arguments."""
-_FIELD = re.compile(r"\{(\w*)(?:[:!][^{}]*)?\}")
-_PERCENT = re.compile(r"%[-#0 +]*\d*(?:\.\d+)?[sdifgrx]")
 _PLAIN_TEXT: Mapping[str, Callable[..., Value]] = MappingProxyType(
     {
         "lower": str.lower,
@@ -62,9 +61,9 @@ _OF_COUNTED: Mapping[str, Callable[..., Value]] = MappingProxyType(
 """Methods of a list that are known where all its elements are."""
 _VIEWS: Mapping[str, Callable[[dict[Value, Value]], Value]] = MappingProxyType(
     {
-        "items": lambda table: [key if isinstance(key, Many) else (key, value) for key, value in table.items()],
+        "items": lambda table: [_like(key, value) for key, value in table.items()],
         "keys": list,
-        "values": lambda table: [key if isinstance(key, Many) else value for key, value in table.items()],
+        "values": lambda table: [Many(value) if isinstance(key, Many) else value for key, value in table.items()],
     }
 )
 LOSING = frozenset({"pop", "remove", "sort", "reverse", "clear", "__delitem__"})
@@ -133,7 +132,7 @@ def _of_dict(owner: dict[Value, Value], name: str, given: Arguments) -> Value:
     if name == "update":
         return _updated(owner, first, given)
     if name == "__setitem__" and hashable(first) and len(owner) < MAX_ITEMS:
-        owner[first] = given.positional[1]
+        put(owner, first, given.positional[1])
         return None
     if name == "setdefault" and hashable(first):
         return owner.setdefault(first, otherwise_in(owner, given.get("default", 1)))
@@ -149,9 +148,20 @@ def otherwise_in(owner: dict[Value, Value], otherwise: Value) -> Value:
     return otherwise if is_counted(owner) else Unknown("item")
 
 
+def put(owner: dict[Value, Value], key: Value, value: Value) -> None:
+    """Set an entry of a map; one that was there perhaps is there."""
+    owner.pop(Many(key), None)
+    owner[key] = value
+
+
+def _like(key: Value, value: Value) -> Value:
+    return Many((key.each, value)) if isinstance(key, Many) else (key, value)
+
+
 def _updated(owner: dict[Value, Value], more: Value, given: Arguments) -> Value:
-    owner.update(more if isinstance(more, dict) else {more: more} if is_yaml_file(more) else {})
-    owner.update(given.keywords)
+    table = more if isinstance(more, dict) else {more: more} if is_yaml_file(more) else {}
+    for key, value in (*table.items(), *given.keywords.items()):
+        put(owner, key, value)
     return None if isinstance(more, dict) or not given.positional or is_yaml_file(more) else Unknown("update")
 
 
@@ -159,18 +169,22 @@ def _of_text(owner: str, name: str, given: Arguments) -> Value:
     if name == "format":
         return formatted(owner, given)
     if name == "join":
-        items = given.get("", 0, ())
-        between = template_of(owner)
-        parts: tuple[str | Substitution, ...] = ()
-        for at, item in enumerate(items if isinstance(items, list | tuple) else ()):
-            parts = (*parts, *(between if at else ()), *template_of(item))
-        return merged_text(parts, is_str=True)
+        return _joined(owner, given.get("", 0))
     if name in _PLAIN_TEXT and not given.keywords and all(isinstance(value, str | int) for value in given.positional):
         try:
             return _PLAIN_TEXT[name](owner, *given.positional)
         except (TypeError, ValueError):
             return Unknown(name)
     return owner if name in _SAME else Unknown(name)
+
+
+def _joined(between: str, items: Value) -> Value:
+    if not isinstance(items, list | tuple | dict):
+        return Unknown("join")
+    parts: Template = ()
+    for at, item in enumerate(items):
+        parts = (*parts, *(template_of(between) if at else ()), *template_of(item))
+    return merged_text(parts, is_str=True)
 
 
 def _of_template(owner: Text, name: str, given: Arguments) -> Value:
@@ -181,44 +195,6 @@ def _of_template(owner: Text, name: str, given: Arguments) -> Value:
     if name == "perform":
         return as_str(owner)
     return owner if name in _SAME else Unknown(name)
-
-
-def formatted(text: str, given: Arguments) -> Value:
-    """Return `text.format(...)` as text with substitutions; a field that nothing fills stays."""
-    positional = iter(given.positional)
-    parts: list[str | Substitution] = []
-    position = 0
-    for match in _FIELD.finditer(text):
-        parts.append(text[position : match.start()])
-        position = match.end()
-        parts.extend(_filled(match, given, positional.__next__))
-    parts.append(text[position:])
-    return merged_text(tuple(parts), is_str=True)
-
-
-def _filled(match: re.Match[str], given: Arguments, following: Callable[[], Value]) -> tuple[str | Substitution, ...]:
-    key = match[1]
-    try:
-        if not key:
-            return template_of(following())
-        if key.isdecimal():
-            return template_of(given.positional[int(key[:_MAX_INDEX])])
-        return template_of(given.keywords[key])
-    except (StopIteration, IndexError, KeyError):
-        return (match[0],)
-
-
-def percent_formatted(text: str, value: Value) -> Value:
-    """Return `text % value` as text with substitutions."""
-    values = list(value) if isinstance(value, tuple) else [value]
-    parts: list[str | Substitution] = []
-    position = 0
-    for match in _PERCENT.finditer(text):
-        parts.append(text[position : match.start()])
-        position = match.end()
-        parts.extend(template_of(values.pop(0)) if values else (match[0],))
-    parts.append(text[position:])
-    return merged_text(tuple(parts), is_str=True)
 
 
 def call_builtin(name: str, given: Arguments) -> Value:
@@ -236,15 +212,6 @@ def call_builtin(name: str, given: Arguments) -> Value:
         return Unknown(name)
 
 
-def hashable(value: Value) -> bool:
-    """Tell whether a value can be a key."""
-    if isinstance(value, Many):
-        return isinstance(value.each, Unknown) or hashable(value.each)
-    return isinstance(value, str | int | float | bool | Text | None) or (
-        isinstance(value, tuple) and all(hashable(item) for item in value)
-    )
-
-
 def _table(items: Value) -> Value:
     if isinstance(items, dict):
         return dict(items)
@@ -253,7 +220,7 @@ def _table(items: Value) -> Value:
 
 
 def _as_text(value: Value) -> Value:
-    return merged_text(template_of(value), is_str=True)
+    return merged_text(as_formatted(value, ""), is_str=True)
 
 
 def _range(*bounds: int) -> Value:
@@ -262,7 +229,19 @@ def _range(*bounds: int) -> Value:
 
 
 def _number(kind: Callable[[Value], Value]) -> Callable[[Value], Value]:
-    return lambda value: Text(value.parts, value.is_str) if isinstance(value, Text) else kind(value)
+    def make(value: Value) -> Value:
+        return Text(value.parts, value.is_str) if isinstance(value, Text) else kind(value)
+
+    return make
+
+
+def _bool(value: Value) -> Value:
+    holds = truth(value)
+    return holds if isinstance(holds, bool) else Text(holds)
+
+
+def _set(items: Value) -> Value:
+    return list(dict.fromkeys(items)) if is_plain(items) else list(items)
 
 
 _EMPTY: Mapping[str, Callable[[], Value]] = MappingProxyType(
@@ -276,12 +255,12 @@ _BUILTINS: Mapping[str, Callable[..., Value]] = MappingProxyType(
         "str": _as_text,
         "int": _number(int),
         "float": _number(float),
-        "bool": _number(bool),
+        "bool": _bool,
         "len": len,
         "list": list,
         "tuple": tuple,
         "dict": _table,
-        "set": list,
+        "set": _set,
         "range": _range,
         "enumerate": lambda items, start=0: list(enumerate(items, start)),
         "zip": lambda *items, strict=False: list(zip(*items, strict=strict)),
