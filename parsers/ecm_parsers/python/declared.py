@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Final
 
-from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.arguments import Arguments, Constructor
 from ecm_parsers.python.calls import Returned
 from ecm_parsers.python.expressions import TooLongError
 from ecm_parsers.python.interpreter import Interpreter
+from ecm_parsers.python.library import CONSTANTS, LIBRARY, TABLES
 from ecm_parsers.python.methods import READING, call_method
 from ecm_parsers.python.models import Models
 from ecm_parsers.python.places import placed
@@ -106,8 +108,17 @@ def _open(owner: Value, of: Unknown) -> None:
         owner[Many(of)] = of
 
 
-def declarations(models: Models, names: Mapping[str, Value], watcher: Watcher | None = None) -> Declarations:
-    """Return a reader of a file that is run as a program."""
+def declarations(
+    calls: Mapping[str, Constructor], names: Mapping[str, Value] = MappingProxyType({}), watcher: Watcher | None = None
+) -> Declarations:
+    """Return a reader of a file that is run as a program.
+
+    Args:
+        calls: what calls make that only such a file knows.
+        names: what is known before its first statement.
+        watcher: who is told what it does.
+    """
+    models = Models({**LIBRARY, **calls}, TABLES, constants=CONSTANTS)
     return Declarations(models, {"__name__": "__main__", **names}, watcher=watcher)
 
 

@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from ecm_parsers.expression_limits import ExpressionError, check_growth
+from ecm_parsers.expression_names import FUNCTIONS, METHODS
 from ecm_parsers.python.arguments import Arguments
 from ecm_parsers.python.formats import as_formatted, formatted
 from ecm_parsers.python.library import joined_path
@@ -16,6 +18,7 @@ from ecm_parsers.python.values import (
     MAX_ITEMS,
     Many,
     Modelled,
+    Reference,
     Text,
     Unknown,
     Value,
@@ -29,23 +32,6 @@ from ecm_parsers.python.values import (
 )
 from ecm_parsers.template import Substitution, Template
 
-_PLAIN_TEXT: Mapping[str, Callable[..., Value]] = MappingProxyType(
-    {
-        "lower": str.lower,
-        "upper": str.upper,
-        "strip": str.strip,
-        "lstrip": str.lstrip,
-        "rstrip": str.rstrip,
-        "capitalize": str.capitalize,
-        "title": str.title,
-        "startswith": str.startswith,
-        "endswith": str.endswith,
-        "replace": str.replace,
-        "split": str.split,
-        "splitlines": str.splitlines,
-        "isdigit": str.isdigit,
-    }
-)
 _OF_COUNTED: Mapping[str, Callable[..., Value]] = MappingProxyType(
     {
         "pop": list.pop,
@@ -59,6 +45,7 @@ _OF_COUNTED: Mapping[str, Callable[..., Value]] = MappingProxyType(
     }
 )
 """Methods of a list that are known where all its elements are."""
+_COMPARING = frozenset({"count", "remove"})
 _VIEWS: Mapping[str, Callable[[dict[Value, Value]], Value]] = MappingProxyType(
     {
         "items": lambda table: [_like(key, value) for key, value in table.items()],
@@ -115,7 +102,12 @@ def _of_list(owner: list[Value], name: str, given: Arguments) -> Value:
         return list(owner)
     elif name == "index" and is_counted(owner):
         return next((at for at, item in enumerate(owner) if item is first or item == first), Unknown("index"))
-    elif name in _OF_COUNTED and is_counted(owner) and not given.keywords:
+    elif (
+        name in _OF_COUNTED
+        and is_counted(owner)
+        and not (name in _COMPARING and any(map(_is_open, owner)))
+        and not given.keywords
+    ):
         try:
             return _OF_COUNTED[name](owner, *given.positional)
         except (TypeError, ValueError, IndexError):
@@ -123,6 +115,10 @@ def _of_list(owner: list[Value], name: str, given: Arguments) -> Value:
     else:
         return Unknown(name)
     return None
+
+
+def _is_open(item: Value) -> bool:
+    return isinstance(item, Text | Unknown | Reference)
 
 
 def _of_dict(owner: dict[Value, Value], name: str, given: Arguments) -> Value:
@@ -170,10 +166,11 @@ def _of_text(owner: str, name: str, given: Arguments) -> Value:
         return formatted(owner, given)
     if name == "join":
         return _joined(owner, given.get("", 0))
-    if name in _PLAIN_TEXT and not given.keywords and all(isinstance(value, str | int) for value in given.positional):
+    if name in METHODS[str] and is_plain(given.positional):
         try:
-            return _PLAIN_TEXT[name](owner, *given.positional)
-        except (TypeError, ValueError):
+            check_growth(name, owner, list(given.positional))
+            return getattr(owner, name)(*given.positional, **given.keywords)
+        except (ExpressionError, TypeError, ValueError, LookupError):
             return Unknown(name)
     return owner if name in _SAME else Unknown(name)
 
@@ -199,76 +196,44 @@ def _of_template(owner: Text, name: str, given: Arguments) -> Value:
 
 def call_builtin(name: str, given: Arguments) -> Value:
     """Return what a builtin function gives."""
-    maker = _BUILTINS.get(name)
-    if name == "dict" and given.keywords and not given.positional:
-        return dict(given.keywords)
-    if maker is None or not given.positional:
-        return _EMPTY[name]() if name in _EMPTY and not given.positional else Unknown(name)
+    function = _OWN.get(name) or (FUNCTIONS[name] if name in _OF_ITEMS or name in _OF_PLAIN else None)
+    if function is None or (name in _OF_PLAIN and not is_plain(given.positional)):
+        return Unknown(name)
     if name not in _OF_ANY and any(isinstance(each, _HOLDING) and not is_counted(each) for each in given.positional):
         return Unknown(name)
     try:
-        return maker(*given.positional, **given.keywords)
-    except (TypeError, ValueError, OverflowError, KeyError):
+        return function(*given.positional, **given.keywords)
+    except (ExpressionError, ArithmeticError, LookupError, TypeError, ValueError):
         return Unknown(name)
 
 
-def _table(items: Value) -> Value:
+def _table(items: Value = (), **entries: Value) -> Value:
     if isinstance(items, dict):
-        return dict(items)
+        return {**items, **entries}
     pairs = [(Many(each.each[0]), each.each[1]) if isinstance(each, Many) else each for each in items]
-    return dict(pairs)
+    return dict(pairs, **entries)
 
 
-def _as_text(value: Value) -> Value:
+def _text(value: Value = "") -> Value:
     return merged_text(as_formatted(value, ""), is_str=True)
 
 
-def _range(*bounds: int) -> Value:
-    found = range(*bounds)
-    return list(found) if len(found) <= MAX_ITEMS else Unknown("range")
+def _number(kind: type) -> Callable[[Value], Value]:
+    return lambda value: Text(value.parts, value.is_str) if isinstance(value, Text) else kind(value)
 
 
-def _number(kind: Callable[[Value], Value]) -> Callable[[Value], Value]:
-    def make(value: Value) -> Value:
-        return Text(value.parts, value.is_str) if isinstance(value, Text) else kind(value)
-
-    return make
-
-
-def _bool(value: Value) -> Value:
+def _bool(value: Value = False) -> Value:  # as Python has it
     holds = truth(value)
     return holds if isinstance(holds, bool) else Text(holds)
 
 
-def _set(items: Value) -> Value:
-    return list(dict.fromkeys(items)) if is_plain(items) else list(items)
-
-
-_EMPTY: Mapping[str, Callable[[], Value]] = MappingProxyType(
-    {"list": list, "dict": dict, "tuple": tuple, "str": str, "set": list}
+_OWN: Mapping[str, Callable[..., Value]] = MappingProxyType(
+    {"str": _text, "int": _number(int), "float": _number(float), "bool": _bool, "dict": _table}
 )
 _HOLDING = (list, tuple, dict)
-_OF_ANY = frozenset({"list", "tuple", "set", "dict", "str"})
+_OF_ANY = frozenset({"list", "tuple", "set", "dict", "str", "bool"})
 """Functions that make something of a list that has more elements than are known."""
-_BUILTINS: Mapping[str, Callable[..., Value]] = MappingProxyType(
-    {
-        "str": _as_text,
-        "int": _number(int),
-        "float": _number(float),
-        "bool": _bool,
-        "len": len,
-        "list": list,
-        "tuple": tuple,
-        "dict": _table,
-        "set": _set,
-        "range": _range,
-        "enumerate": lambda items, start=0: list(enumerate(items, start)),
-        "zip": lambda *items, strict=False: list(zip(*items, strict=strict)),
-        "sorted": lambda items, reverse=False: sorted(items, reverse=reverse),
-        "reversed": lambda items: list(reversed(items)),
-        "min": min,
-        "max": max,
-        "abs": abs,
-        "round": round,
-    }
-)
+_OF_ITEMS = frozenset({"len", "min", "max", "sorted", "reversed", "list", "tuple", "set", "range", "zip", "enumerate"})
+"""Functions of what holds values, whatever these are."""
+_OF_PLAIN = frozenset({"abs", "all", "any", "divmod", "ord", "repr", "round", "sum"})
+"""Functions of values that are wholly known."""

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import pytest
 from ecm_parsers.python.declared import declarations, pattern_of
-from ecm_parsers.python.library import CONSTANTS, LIBRARY, TABLES
-from ecm_parsers.python.models import Models
 
 OPEN = "{x}"
 
@@ -48,6 +46,6 @@ OPEN = "{x}"
 )
 def test_what_a_name_holds(text: str, value: str) -> None:
     """A value is told where it is sure; what a branch may change is open."""
-    reader = declarations(Models(LIBRARY, TABLES, constants=CONSTANTS), {})
+    reader = declarations({})
     reader.read(text)
     assert pattern_of(reader.module.names["x"]) == value
