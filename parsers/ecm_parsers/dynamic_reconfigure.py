@@ -14,8 +14,6 @@ import msgspec
 
 from ecm_parsers.python.arguments import Arguments, Constructor
 from ecm_parsers.python.declared import MAX_BYTES, declarations, pattern_of
-from ecm_parsers.python.library import CONSTANTS, LIBRARY, TABLES
-from ecm_parsers.python.models import Models
 from ecm_parsers.python.values import Method, Modelled, Reference, Text, Unknown, Value
 from ecm_parsers.python.watching import Watcher
 from ecm_parsers.result import Diagnostic, Parsed
@@ -153,12 +151,12 @@ class _Reader(Watcher):
         self._included: list[IncludedParameters] = []
 
     @property
-    def models(self) -> Models:
+    def models(self) -> Mapping[str, Constructor]:
         """What a `.cfg` file calls; a generator that is handed to a function is one by its methods."""
         made = _Generator(self)
         calls: dict[str, Constructor] = {name: partial(made.call, name) for name in _METHODS}
         calls["ParameterGenerator"] = lambda _: _Generator(self)
-        return Models({**LIBRARY, **calls}, TABLES, constants=CONSTANTS)
+        return calls
 
     def facts(self) -> ReconfigureFile:
         """Return what was collected."""

@@ -11,7 +11,7 @@ MAX_SIZE = 20_000
 MAX_WORK = 400_000
 MAX_INTEGER = 1 << 256
 _FORMAT_SPEC = re.compile(r"(?:.?[<>=^])?[+\- ]?#?\d{0,3}[,_]?(?:\.\d{1,2})?[a-zA-Z%]?")
-_PERCENT = re.compile(r"%(?:%|(?:\([^()]*\))?[#0\- +]*\d{0,3}(?:\.\d{1,2})?[a-zA-Z])")
+PERCENT = re.compile(r"%(?:%|(?:\([^()]*\))?[#0\- +]*\d{0,3}(?:\.\d{1,2})?[a-zA-Z])")
 _PADDING = frozenset({"zfill", "ljust", "rjust", "center"})
 _LARGEST_FACTORIAL = 57
 """The last one below `MAX_INTEGER`."""
@@ -100,7 +100,7 @@ def check_format(spec: str) -> None:
 
 def percent_formatted(text: str, values: Any) -> str:
     """Format by `%` with plain fields only: no width from a value, no wide padding."""
-    left = _PERCENT.sub("", text)
+    left = PERCENT.sub("", text)
     if "%" in left:
         raise _bad_format(left)
     done: str = text % values

@@ -8,10 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.arguments import Arguments, Constructor
 from ecm_parsers.python.declared import MAX_BYTES, declarations, pattern_of
-from ecm_parsers.python.library import CONSTANTS, LIBRARY, TABLES
-from ecm_parsers.python.models import Models
 from ecm_parsers.python.places import line_of
 from ecm_parsers.python.values import Many, Text, Unknown, Value
 from ecm_parsers.python_setup_facts import DataFiles, EntryPoint, PythonSetup, entry_point
@@ -32,7 +30,7 @@ def parse_setup_py(data: bytes) -> Parsed[PythonSetup]:
     text, doubts = decode(data)
     diagnostics = list(doubts)
     calls = _Calls(diagnostics)
-    diagnostics += declarations(calls.models, {}).read(text)[1]
+    diagnostics += declarations(calls.models).read(text)[1]
     keywords = calls.keywords
     if keywords is None:
         message = "No call of setup() was found; nothing is read of this file."
@@ -63,17 +61,15 @@ class _Calls:
         self._diagnostics = diagnostics
 
     @property
-    def models(self) -> Models:
+    def models(self) -> Mapping[str, Constructor]:
         """What a `setup.py` calls."""
-        calls = {
-            **LIBRARY,
+        return {
             "setup": self._setup,
             "generate_distutils_setup": self._setup,
             "generate_parameter_module": self._parameters,
             "find_packages": _found,
             "find_namespace_packages": _found,
         }
-        return Models(calls, TABLES, constants=CONSTANTS)
 
     def _setup(self, given: Arguments) -> Value:
         """That of catkin gives a dictionary of what it gets."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from types import MappingProxyType
 
 from ecm_parsers.launch.model import Action, Data, Group, ParameterFile, ParameterSource, ParameterValue, Typing, Unread
 from ecm_parsers.python.arguments import Arguments
@@ -31,7 +32,7 @@ class Description(Modelled):
             self.actions.append(given.get(_ADDING[name], 0))
 
 
-_ADDING = {"add_action": "action", "add_entity": "entity"}
+_ADDING = MappingProxyType({"add_action": "action", "add_entity": "entity"})
 
 
 def command_words(value: Value) -> tuple[Template, ...]:

@@ -12,15 +12,17 @@ from typing import Any, TypeAlias
 
 from ecm_parsers.python.arguments import Arguments
 from ecm_parsers.python.classes import filled_fields, is_instance, is_substitution, made_by_base, member, super_of
-from ecm_parsers.python.expressions import Expressions, source_of
+from ecm_parsers.python.expressions import Expressions
 from ecm_parsers.python.imports import Imports
 from ecm_parsers.python.methods import call_builtin
 from ecm_parsers.python.models import Models
 from ecm_parsers.python.reading import exists, globbed, loaded
 from ecm_parsers.python.sources import NoSources, Sources
+from ecm_parsers.python.spelling import source_of
 from ecm_parsers.python.values import (
     Class,
     Function,
+    Many,
     Method,
     Module,
     Object,
@@ -180,7 +182,7 @@ class Calls(Expressions):
             if keyword.arg is not None:
                 keywords[keyword.arg] = value
             elif isinstance(value, dict):
-                keywords.update({str(name): entry for name, entry in value.items()})
+                keywords.update({str(_perhaps(name)): entry for name, entry in value.items()})
         return Arguments(tuple(positional), keywords, self._site or node.lineno)
 
     def call(self, function: Function, given: Arguments) -> Value:
@@ -193,7 +195,8 @@ class Calls(Expressions):
             scope.names.update({"__class__": function.owner, "__holder__": (*function.first, None)[0]})
         if isinstance(function.node, ast.Lambda):
             return self.value(function.node.body, scope)
-        outer, self._guard = self._guard, None
+        outer = self._guard
+        self._guard = outer if self.IS_STRICT else None
         site, self._site = self._site, self._site or (given.line if self._is_foreign(function) else 0)
         self._depth += 1
         try:
@@ -201,7 +204,8 @@ class Calls(Expressions):
         finally:
             self._depth -= 1
             self._guard, self._site = outer, site
-        return self.returned(returned, given.line)
+        sure = [(None if guard is outer else guard, value) for guard, value in returned]
+        return self.returned(sure, given.line)
 
     def _is_foreign(self, function: Function) -> bool:
         """Lines of another file say nothing in this one: what its functions make is placed where they are called."""
@@ -234,6 +238,10 @@ class Calls(Expressions):
         "isfile": lambda self, given: exists(self.sources, given.get("path", 0)),
         "module_from_spec": lambda _, given: given.get("spec", 0),
     }
+
+
+def _perhaps(name: Value) -> Value:
+    return name.each if isinstance(name, Many) else name
 
 
 def _starts_nothing(callee: ast.expr) -> bool:

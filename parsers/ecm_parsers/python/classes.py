@@ -8,10 +8,23 @@ from dataclasses import replace
 
 from ecm_parsers.python.arguments import Arguments
 from ecm_parsers.python.models import Models
-from ecm_parsers.python.values import MAX_DEPTH, Class, Function, Object, Reference, Scope, Super, Text, Unknown, Value
+from ecm_parsers.python.values import (
+    MAX_DEPTH,
+    Class,
+    Function,
+    Object,
+    Reference,
+    Scope,
+    Super,
+    Text,
+    Unknown,
+    Value,
+    is_plain,
+)
 
 _ABSENT = object()
-_PLAIN = frozenset({"str", "bool", "int", "float", "list", "tuple", "dict"})
+_PLAIN_TYPES = (str, bool, int, float, list, tuple, dict)
+_PLAIN = frozenset(kind.__name__ for kind in _PLAIN_TYPES)
 
 
 def class_of(node: ast.ClassDef, bases: tuple[Value, ...], body: Scope) -> Class:
@@ -91,8 +104,8 @@ def is_instance(value: Value, kinds: Value) -> Value:
         return any(
             (entry.last if isinstance(entry, Reference) else entry.name) in names for entry in lineage(value.cls)
         )
-    if isinstance(value, str | bool | int | float | list | tuple | dict):
-        return type(value).__name__ in names
+    if is_plain(value) or isinstance(value, list | tuple | dict):
+        return any(isinstance(value, kind) for kind in _PLAIN_TYPES if kind.__name__ in names)
     return Unknown("isinstance")
 
 

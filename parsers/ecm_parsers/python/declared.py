@@ -7,15 +7,18 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Final
 
-from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.arguments import Arguments, Constructor
 from ecm_parsers.python.calls import Returned
-from ecm_parsers.python.expressions import TooLongError, source_of
+from ecm_parsers.python.expressions import TooLongError
 from ecm_parsers.python.interpreter import Interpreter
+from ecm_parsers.python.library import CONSTANTS, LIBRARY, TABLES
 from ecm_parsers.python.methods import READING, call_method
 from ecm_parsers.python.models import Models
 from ecm_parsers.python.places import placed
+from ecm_parsers.python.spelling import source_of
 from ecm_parsers.python.syntax import of_either_python
 from ecm_parsers.python.values import Many, Reference, Text, Unknown, Value, shown
 from ecm_parsers.python.watching import Watcher
@@ -59,8 +62,13 @@ class Declarations(Interpreter):
         return Unknown(name)
 
     def returned(self, found: Returned, line: int) -> Value:
-        """Return what a function gives where one place of it is reached."""
-        return None if not found else found[0][1] if len(found) == 1 else Unknown("", line)
+        """Return what a function gives if all that it may give is the same."""
+        if not found:
+            return None
+        value = found[0][1]
+        for guard, other in zip((guard for guard, _ in found), (other for _, other in found[1:]), strict=False):
+            value = value if guard is None else self.chosen((), value, other, "")
+        return value
 
     def method(self, owner: Value, name: str, given: Arguments, written: ast.expr) -> Value:
         """Return what a method gives; a list or map that it changes in a way that is not followed is open."""
@@ -81,9 +89,15 @@ class Declarations(Interpreter):
         changed = owner.copy()
         found = call_method(changed, name, given)
         if isinstance(owner, dict) and name in {"update", "__setitem__"} and not isinstance(found, Unknown):
-            both = {key: self.chosen((), value, owner.get(key, value), of.text) for key, value in changed.items()}
-            return owner.update(both)
+            for key, value in changed.items():
+                self._perhaps_put(owner, key, value, of)
+            return None
         return Unknown(name)
+
+    def _perhaps_put(self, owner: dict[Value, Value], key: Value, value: Value, of: Unknown) -> None:
+        """Set an entry that may be set: one that was not there may not be there."""
+        at = key if key in owner or isinstance(key, Many) else Many(key)
+        owner[at] = self.chosen((), value, owner.get(at, value), of.text)
 
 
 def _open(owner: Value, of: Unknown) -> None:
@@ -94,8 +108,17 @@ def _open(owner: Value, of: Unknown) -> None:
         owner[Many(of)] = of
 
 
-def declarations(models: Models, names: Mapping[str, Value], watcher: Watcher | None = None) -> Declarations:
-    """Return a reader of a file that is run as a program."""
+def declarations(
+    calls: Mapping[str, Constructor], names: Mapping[str, Value] = MappingProxyType({}), watcher: Watcher | None = None
+) -> Declarations:
+    """Return a reader of a file that is run as a program.
+
+    Args:
+        calls: what calls make that only such a file knows.
+        names: what is known before its first statement.
+        watcher: who is told what it does.
+    """
+    models = Models({**LIBRARY, **calls}, TABLES, constants=CONSTANTS)
     return Declarations(models, {"__name__": "__main__", **names}, watcher=watcher)
 
 

@@ -8,10 +8,11 @@ from collections.abc import Callable, Iterator
 
 from ecm_parsers.python.arguments import Arguments
 from ecm_parsers.python.classes import member
+from ecm_parsers.python.formats import as_formatted
 from ecm_parsers.python.library import LIBRARY
-from ecm_parsers.python.methods import hashable
 from ecm_parsers.python.models import Models
 from ecm_parsers.python.operators import binary, compare, signed, subscript, truth
+from ecm_parsers.python.spelling import source_of
 from ecm_parsers.python.values import (
     Class,
     Function,
@@ -26,6 +27,7 @@ from ecm_parsers.python.values import (
     Unknown,
     Value,
     expanded,
+    hashable,
     merged_text,
     template_of,
 )
@@ -36,9 +38,6 @@ from ecm_parsers.template import Substitution, Template, negated
 MAX_STEPS = 60_000
 MAX_WORK = 2_000_000
 """Items of the lists and maps that expressions give, those inside each other included."""
-MAX_SHOWN = 60
-
-
 _CUT = "This text has more parts than are read; it and what is built of it stay unknown. Build it in fewer steps."
 
 
@@ -234,7 +233,7 @@ class Expressions(ABC):
             holds = truth(value)
             if isinstance(holds, bool):
                 if holds is not conjunction:
-                    return value
+                    return self._decided(value, open_parts, conjunction=conjunction)
                 continue
             if part is node.values[-1] and not open_parts:
                 return value
@@ -242,6 +241,13 @@ class Expressions(ABC):
         if not open_parts:
             return value
         return Text((Substitution("and" if conjunction else "or", tuple(open_parts)),))
+
+    def _decided(self, value: Value, open_parts: list[Template], *, conjunction: bool) -> Value:
+        """What a part gives that decides: behind parts that may decide it is one of several."""
+        if not open_parts or (isinstance(value, bool) and not self.IS_STRICT):
+            return value
+        holds = (Substitution("or", tuple(negated(part) if conjunction else part for part in open_parts)),)
+        return self.chosen(holds, Text(open_parts[0]), value, "")
 
     def _unary(self, node: ast.UnaryOp, scope: Scope) -> Value:
         value = self.value(node.operand, scope)
@@ -269,6 +275,14 @@ class Expressions(ABC):
     def _joined(self, node: ast.JoinedStr, scope: Scope) -> Value:
         parts = tuple(part for value in node.values for part in template_of(self.value(value, scope)))
         return merged_text(parts, is_str=True)
+
+    def _formatted(self, node: ast.FormattedValue, scope: Scope) -> Value:
+        value = self.value(node.value, scope)
+        spec = self.value(node.format_spec, scope)
+        if spec is not None and not isinstance(spec, str):
+            return Unknown(source_of(node.value))
+        conversion = f"!{chr(node.conversion)}" if node.conversion >= 0 else ""
+        return merged_text(as_formatted(value, conversion + (f":{spec}" if spec else "")), is_str=True)
 
     def items(self, value: Value) -> list[Value] | None:
         """Return what a loop goes over, None when that is not known."""
@@ -307,7 +321,7 @@ class Expressions(ABC):
         ast.Compare: _compare,
         ast.IfExp: _if_expression,
         ast.JoinedStr: _joined,
-        ast.FormattedValue: lambda self, node, scope: self.value(node.value, scope),
+        ast.FormattedValue: _formatted,
         ast.Call: lambda self, node, scope: self.call_of(node, scope),
         ast.Lambda: lambda _, node, scope: Function(node, scope),
     }
@@ -320,21 +334,3 @@ def _is_set(name: str, scope: Scope) -> bool:
             return True
         current = current.parent
     return False
-
-
-def source_of(node: ast.AST) -> str:
-    """Return what an expression looks like, cut short; kept with the node, since loops ask for it again and again."""
-    if isinstance(node, ast.Name):
-        return node.id
-    known: str | None = getattr(node, "ecm_source", None)
-    if known is None:
-        known = _unparsed(node)
-        node.ecm_source = known  # type: ignore[attr-defined]
-    return known
-
-
-def _unparsed(node: ast.AST) -> str:
-    try:
-        return ast.unparse(node)[:MAX_SHOWN]  # type: ignore[no-untyped-call,unused-ignore]
-    except (RecursionError, ValueError):
-        return type(node).__name__

@@ -7,24 +7,54 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
 from types import MappingProxyType
 
 from ecm_parsers.python.arguments import Arguments
 from ecm_parsers.python.calls import Calls, Returned
 from ecm_parsers.python.classes import class_of
-from ecm_parsers.python.expressions import source_of
+from ecm_parsers.python.models import Models
 from ecm_parsers.python.operators import binary, truth
+from ecm_parsers.python.sources import Sources
+from ecm_parsers.python.spelling import source_of
 from ecm_parsers.python.values import Function, Many, Object, Reference, Scope, Unknown, Value, is_counted
+from ecm_parsers.python.watching import Watcher
 from ecm_parsers.template import Substitution, Template, both, negated
+
+
+@dataclass(slots=True)
+class _Loop:
+    """A loop that is read.
+
+    Attributes:
+        guard: the condition under which a round is read.
+        is_left, is_perhaps_left: whether a `break` was met.
+        has_ended: whether a `break` or `continue` was met in this round.
+        ends: what names hold where that depends on a condition.
+    """
+
+    guard: Template | None = None
+    is_left: bool = False
+    is_perhaps_left: bool = False
+    has_ended: bool = False
+    ends: list[dict[str, Value]] = field(default_factory=list)
 
 
 class Interpreter(Calls):
     """Reads one file and what it imports."""
 
+    def __init__(
+        self, models: Models, names: dict[str, Value], sources: Sources | None = None, watcher: Watcher | None = None
+    ) -> None:
+        super().__init__(models, names, sources, watcher)
+        self._loop = _Loop()
+
     def run(self, body: list[ast.stmt], scope: Scope) -> Returned:
         """Read statements; returns what they return, each with the condition under which."""
         returned: Returned = []
-        self._block(body, scope, returned)
+        if not self._block(body, scope, returned) and returned:
+            returned.append((self._guard, None))
         return returned
 
     def _block(self, body: list[ast.stmt], scope: Scope, returned: Returned) -> bool:
@@ -52,8 +82,12 @@ class Interpreter(Calls):
                 self.assign(item.optional_vars, opened, scope)
         return self._block(node.body, scope, returned)
 
-    def _while(self, node: ast.While, scope: Scope, returned: Returned) -> bool:
-        return truth(self.value(node.test, scope)) is not False and self._perhaps(node.body, node.test, scope, returned)
+    def _while(self, node: ast.While, scope: Scope, returned: Returned) -> None:
+        if truth(self.value(node.test, scope)) is False:
+            return
+        outer, self._loop = self._loop, _Loop(self._guard)
+        self._perhaps(node.test, scope, lambda: self._round(node.body, scope, returned))
+        self._loop = outer
 
     def _expression(self, node: ast.Expr, scope: Scope, _: Returned) -> None:
         self.value(node.value, scope)
@@ -92,26 +126,31 @@ class Interpreter(Calls):
         holds = truth(tested)
         if isinstance(holds, bool):
             return self._block(node.body if holds else node.orelse, scope, returned)
-        return self._either(holds, (node.body, node.orelse), scope, returned)
+        return self._either(
+            holds,
+            scope,
+            lambda: self._block(node.body, scope, returned),
+            lambda: self._block(node.orelse, scope, returned),
+        )
 
-    def _either(
-        self,
-        holds: Template,
-        sides: tuple[list[ast.stmt], list[ast.stmt]],
-        scope: Scope,
-        returned: Returned,
-    ) -> bool:
+    def _either(self, holds: Template, scope: Scope, one: Callable[[], bool], other: Callable[[], bool]) -> bool:
+        """Read two branches of which one is taken; True when none goes on."""
         outer, before = self._guard, dict(scope.names)
         self._guard = both(outer, holds)
-        first = self._block(sides[0], scope, returned)
+        first = one()
         taken, scope.names = scope.names, before
         self._guard = both(outer, negated(holds))
-        second = self._block(sides[1], scope, returned)
+        second = other()
         self._join(scope, taken, holds, gone=(first, second))
         self._guard = outer
         if first != second:  # what follows runs only where the other branch was taken
             self._guard = both(outer, negated(holds) if first else holds)
         return first and second
+
+    def _perhaps(self, why: ast.expr | None, scope: Scope, body: Callable[[], bool]) -> None:
+        """Read what is taken any number of times."""
+        holds = (Substitution("unknown", ((source_of(why) if why is not None else "",),)),)
+        self._either(holds, scope, body, lambda: False)
 
     def _join(self, scope: Scope, taken: dict[str, Value], holds: Template, gone: tuple[bool, bool]) -> None:
         """Give names that the two branches set differently a value that depends on the condition."""
@@ -126,24 +165,52 @@ class Interpreter(Calls):
             scope.names[name] = value if name not in scope.names else self.chosen(holds, value, other, name)
 
     def _for(self, node: ast.For, scope: Scope, returned: Returned) -> bool:
+        outer, self._loop = self._loop, _Loop(self._guard)
+        gone = False
         for item in self.rounds(node.iter, node.target, scope):
+            if gone or self._loop.is_left:
+                break
+            gone = self._round_of(node, item, scope, returned)
+        is_left, self._loop = self._loop.is_left, outer
+        return gone or (not is_left and self._block(node.orelse, scope, returned))
+
+    def _round_of(self, node: ast.For, item: Value, scope: Scope, returned: Returned) -> bool:
+        """Read one round, or what may be any number of them; True when nothing behind the loop is reached."""
+
+        def body() -> bool:
             self.assign(node.target, item.each if isinstance(item, Many) else item, scope)
-            if isinstance(item, Many):
-                self._perhaps(node.body, node.iter, scope, returned)
-            else:
-                self._block(node.body, scope, returned)
+            return self._round(node.body, scope, returned)
+
+        if not isinstance(item, Many) and not self._loop.is_perhaps_left:
+            return body()
+        self._perhaps(node.iter, scope, body)
         return False
+
+    def _round(self, body: list[ast.stmt], scope: Scope, returned: Returned) -> bool:
+        """Read the body of a loop; what was set where it may have ended earlier is what names may hold behind it."""
+        loop = self._loop
+        loop.guard, loop.has_ended = self._guard, False
+        gone = self._block(body, scope, returned)
+        for names in loop.ends:
+            self._join(scope, names, (Substitution("unknown", (("break",),)),), gone=(False, False))
+        loop.ends.clear()
+        return gone and not loop.has_ended
+
+    def _end(self, node: ast.Break | ast.Continue, scope: Scope, _: Returned) -> bool:
+        loop, is_break = self._loop, isinstance(node, ast.Break)
+        loop.has_ended = True
+        if self._guard is not loop.guard:
+            loop.ends.append(dict(scope.names))
+            loop.is_perhaps_left |= is_break
+        else:
+            loop.is_left |= is_break
+        return True
 
     def _try(self, node: ast.Try, scope: Scope, returned: Returned) -> bool:
         gone = self._block([*node.body, *node.orelse], scope, returned)
         for handler in node.handlers if self.IS_STRICT else ():
-            self._perhaps(handler.body, handler.type, scope, returned)
+            self._perhaps(handler.type, scope, partial(self._block, handler.body, scope, returned))
         return self._block(node.finalbody, scope, returned) or gone
-
-    def _perhaps(self, body: list[ast.stmt], why: ast.expr | None, scope: Scope, returned: Returned) -> bool:
-        """Read what is taken any number of times; False, since what follows it is reached."""
-        holds = (Substitution("unknown", ((source_of(why) if why is not None else "",),)),)
-        return self._either(holds, (body, []), scope, returned) and False
 
     def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
         """Bind a value to what stands on the left side."""
@@ -196,6 +263,8 @@ class Interpreter(Calls):
             ast.Import: _import,
             ast.ImportFrom: _import,
             ast.Raise: lambda *_: True,
+            ast.Continue: _end,
+            ast.Break: _end,
         }
     )
     """True where what follows is not reached."""

@@ -5,48 +5,33 @@ Only what neither runs code nor grows without bound; everything else is unknown.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from ecm_parsers.expression_limits import ExpressionError, check_growth
+from ecm_parsers.expression_names import FUNCTIONS, METHODS
 from ecm_parsers.python.arguments import Arguments
+from ecm_parsers.python.formats import as_formatted, formatted
 from ecm_parsers.python.library import joined_path
+from ecm_parsers.python.operators import truth
 from ecm_parsers.python.values import (
     MAX_ITEMS,
     Many,
     Modelled,
+    Reference,
     Text,
     Unknown,
     Value,
     as_str,
+    hashable,
     is_counted,
+    is_plain,
     is_yaml_file,
     merged_text,
     template_of,
 )
-from ecm_parsers.template import Substitution
+from ecm_parsers.template import Substitution, Template
 
-_MAX_INDEX = 6
-"""Digits of an index that are read: no call has as many arguments."""
-_FIELD = re.compile(r"\{(\w*)(?:[:!][^{}]*)?\}")
-_PERCENT = re.compile(r"%[-#0 +]*\d*(?:\.\d+)?[sdifgrx]")
-_PLAIN_TEXT: Mapping[str, Callable[..., Value]] = MappingProxyType(
-    {
-        "lower": str.lower,
-        "upper": str.upper,
-        "strip": str.strip,
-        "lstrip": str.lstrip,
-        "rstrip": str.rstrip,
-        "capitalize": str.capitalize,
-        "title": str.title,
-        "startswith": str.startswith,
-        "endswith": str.endswith,
-        "replace": str.replace,
-        "split": str.split,
-        "splitlines": str.splitlines,
-        "isdigit": str.isdigit,
-    }
-)
 _OF_COUNTED: Mapping[str, Callable[..., Value]] = MappingProxyType(
     {
         "pop": list.pop,
@@ -60,11 +45,12 @@ _OF_COUNTED: Mapping[str, Callable[..., Value]] = MappingProxyType(
     }
 )
 """Methods of a list that are known where all its elements are."""
+_COMPARING = frozenset({"count", "remove"})
 _VIEWS: Mapping[str, Callable[[dict[Value, Value]], Value]] = MappingProxyType(
     {
-        "items": lambda table: [key if isinstance(key, Many) else (key, value) for key, value in table.items()],
+        "items": lambda table: [_like(key, value) for key, value in table.items()],
         "keys": list,
-        "values": lambda table: [key if isinstance(key, Many) else value for key, value in table.items()],
+        "values": lambda table: [Many(value) if isinstance(key, Many) else value for key, value in table.items()],
     }
 )
 LOSING = frozenset({"pop", "remove", "sort", "reverse", "clear", "__delitem__"})
@@ -116,7 +102,12 @@ def _of_list(owner: list[Value], name: str, given: Arguments) -> Value:
         return list(owner)
     elif name == "index" and is_counted(owner):
         return next((at for at, item in enumerate(owner) if item is first or item == first), Unknown("index"))
-    elif name in _OF_COUNTED and is_counted(owner) and not given.keywords:
+    elif (
+        name in _OF_COUNTED
+        and is_counted(owner)
+        and not (name in _COMPARING and any(map(_is_open, owner)))
+        and not given.keywords
+    ):
         try:
             return _OF_COUNTED[name](owner, *given.positional)
         except (TypeError, ValueError, IndexError):
@@ -126,6 +117,10 @@ def _of_list(owner: list[Value], name: str, given: Arguments) -> Value:
     return None
 
 
+def _is_open(item: Value) -> bool:
+    return isinstance(item, Text | Unknown | Reference)
+
+
 def _of_dict(owner: dict[Value, Value], name: str, given: Arguments) -> Value:
     first = given.get("", 0)
     if name == "get":
@@ -133,7 +128,7 @@ def _of_dict(owner: dict[Value, Value], name: str, given: Arguments) -> Value:
     if name == "update":
         return _updated(owner, first, given)
     if name == "__setitem__" and hashable(first) and len(owner) < MAX_ITEMS:
-        owner[first] = given.positional[1]
+        put(owner, first, given.positional[1])
         return None
     if name == "setdefault" and hashable(first):
         return owner.setdefault(first, otherwise_in(owner, given.get("default", 1)))
@@ -149,9 +144,20 @@ def otherwise_in(owner: dict[Value, Value], otherwise: Value) -> Value:
     return otherwise if is_counted(owner) else Unknown("item")
 
 
+def put(owner: dict[Value, Value], key: Value, value: Value) -> None:
+    """Set an entry of a map; one that was there perhaps is there."""
+    owner.pop(Many(key), None)
+    owner[key] = value
+
+
+def _like(key: Value, value: Value) -> Value:
+    return Many((key.each, value)) if isinstance(key, Many) else (key, value)
+
+
 def _updated(owner: dict[Value, Value], more: Value, given: Arguments) -> Value:
-    owner.update(more if isinstance(more, dict) else {more: more} if is_yaml_file(more) else {})
-    owner.update(given.keywords)
+    table = more if isinstance(more, dict) else {more: more} if is_yaml_file(more) else {}
+    for key, value in (*table.items(), *given.keywords.items()):
+        put(owner, key, value)
     return None if isinstance(more, dict) or not given.positional or is_yaml_file(more) else Unknown("update")
 
 
@@ -159,18 +165,23 @@ def _of_text(owner: str, name: str, given: Arguments) -> Value:
     if name == "format":
         return formatted(owner, given)
     if name == "join":
-        items = given.get("", 0, ())
-        between = template_of(owner)
-        parts: tuple[str | Substitution, ...] = ()
-        for at, item in enumerate(items if isinstance(items, list | tuple) else ()):
-            parts = (*parts, *(between if at else ()), *template_of(item))
-        return merged_text(parts, is_str=True)
-    if name in _PLAIN_TEXT and not given.keywords and all(isinstance(value, str | int) for value in given.positional):
+        return _joined(owner, given.get("", 0))
+    if name in METHODS[str] and is_plain(given.positional):
         try:
-            return _PLAIN_TEXT[name](owner, *given.positional)
-        except (TypeError, ValueError):
+            check_growth(name, owner, list(given.positional))
+            return getattr(owner, name)(*given.positional, **given.keywords)
+        except (ExpressionError, TypeError, ValueError, LookupError):
             return Unknown(name)
     return owner if name in _SAME else Unknown(name)
+
+
+def _joined(between: str, items: Value) -> Value:
+    if not isinstance(items, list | tuple | dict):
+        return Unknown("join")
+    parts: Template = ()
+    for at, item in enumerate(items):
+        parts = (*parts, *(template_of(between) if at else ()), *template_of(item))
+    return merged_text(parts, is_str=True)
 
 
 def _of_template(owner: Text, name: str, given: Arguments) -> Value:
@@ -183,113 +194,46 @@ def _of_template(owner: Text, name: str, given: Arguments) -> Value:
     return owner if name in _SAME else Unknown(name)
 
 
-def formatted(text: str, given: Arguments) -> Value:
-    """Return `text.format(...)` as text with substitutions; a field that nothing fills stays."""
-    positional = iter(given.positional)
-    parts: list[str | Substitution] = []
-    position = 0
-    for match in _FIELD.finditer(text):
-        parts.append(text[position : match.start()])
-        position = match.end()
-        parts.extend(_filled(match, given, positional.__next__))
-    parts.append(text[position:])
-    return merged_text(tuple(parts), is_str=True)
-
-
-def _filled(match: re.Match[str], given: Arguments, following: Callable[[], Value]) -> tuple[str | Substitution, ...]:
-    key = match[1]
-    try:
-        if not key:
-            return template_of(following())
-        if key.isdecimal():
-            return template_of(given.positional[int(key[:_MAX_INDEX])])
-        return template_of(given.keywords[key])
-    except (StopIteration, IndexError, KeyError):
-        return (match[0],)
-
-
-def percent_formatted(text: str, value: Value) -> Value:
-    """Return `text % value` as text with substitutions."""
-    values = list(value) if isinstance(value, tuple) else [value]
-    parts: list[str | Substitution] = []
-    position = 0
-    for match in _PERCENT.finditer(text):
-        parts.append(text[position : match.start()])
-        position = match.end()
-        parts.extend(template_of(values.pop(0)) if values else (match[0],))
-    parts.append(text[position:])
-    return merged_text(tuple(parts), is_str=True)
-
-
 def call_builtin(name: str, given: Arguments) -> Value:
     """Return what a builtin function gives."""
-    maker = _BUILTINS.get(name)
-    if name == "dict" and given.keywords and not given.positional:
-        return dict(given.keywords)
-    if maker is None or not given.positional:
-        return _EMPTY[name]() if name in _EMPTY and not given.positional else Unknown(name)
+    function = _OWN.get(name) or (FUNCTIONS[name] if name in _OF_ITEMS or name in _OF_PLAIN else None)
+    if function is None or (name in _OF_PLAIN and not is_plain(given.positional)):
+        return Unknown(name)
     if name not in _OF_ANY and any(isinstance(each, _HOLDING) and not is_counted(each) for each in given.positional):
         return Unknown(name)
     try:
-        return maker(*given.positional, **given.keywords)
-    except (TypeError, ValueError, OverflowError, KeyError):
+        return function(*given.positional, **given.keywords)
+    except (ExpressionError, ArithmeticError, LookupError, TypeError, ValueError):
         return Unknown(name)
 
 
-def hashable(value: Value) -> bool:
-    """Tell whether a value can be a key."""
-    if isinstance(value, Many):
-        return isinstance(value.each, Unknown) or hashable(value.each)
-    return isinstance(value, str | int | float | bool | Text | None) or (
-        isinstance(value, tuple) and all(hashable(item) for item in value)
-    )
-
-
-def _table(items: Value) -> Value:
+def _table(items: Value = (), **entries: Value) -> Value:
     if isinstance(items, dict):
-        return dict(items)
+        return {**items, **entries}
     pairs = [(Many(each.each[0]), each.each[1]) if isinstance(each, Many) else each for each in items]
-    return dict(pairs)
+    return dict(pairs, **entries)
 
 
-def _as_text(value: Value) -> Value:
-    return merged_text(template_of(value), is_str=True)
+def _text(value: Value = "") -> Value:
+    return merged_text(as_formatted(value, ""), is_str=True)
 
 
-def _range(*bounds: int) -> Value:
-    found = range(*bounds)
-    return list(found) if len(found) <= MAX_ITEMS else Unknown("range")
-
-
-def _number(kind: Callable[[Value], Value]) -> Callable[[Value], Value]:
+def _number(kind: type) -> Callable[[Value], Value]:
     return lambda value: Text(value.parts, value.is_str) if isinstance(value, Text) else kind(value)
 
 
-_EMPTY: Mapping[str, Callable[[], Value]] = MappingProxyType(
-    {"list": list, "dict": dict, "tuple": tuple, "str": str, "set": list}
+def _bool(value: Value = False) -> Value:  # as Python has it
+    holds = truth(value)
+    return holds if isinstance(holds, bool) else Text(holds)
+
+
+_OWN: Mapping[str, Callable[..., Value]] = MappingProxyType(
+    {"str": _text, "int": _number(int), "float": _number(float), "bool": _bool, "dict": _table}
 )
 _HOLDING = (list, tuple, dict)
-_OF_ANY = frozenset({"list", "tuple", "set", "dict", "str"})
+_OF_ANY = frozenset({"list", "tuple", "set", "dict", "str", "bool"})
 """Functions that make something of a list that has more elements than are known."""
-_BUILTINS: Mapping[str, Callable[..., Value]] = MappingProxyType(
-    {
-        "str": _as_text,
-        "int": _number(int),
-        "float": _number(float),
-        "bool": _number(bool),
-        "len": len,
-        "list": list,
-        "tuple": tuple,
-        "dict": _table,
-        "set": list,
-        "range": _range,
-        "enumerate": lambda items, start=0: list(enumerate(items, start)),
-        "zip": lambda *items, strict=False: list(zip(*items, strict=strict)),
-        "sorted": lambda items, reverse=False: sorted(items, reverse=reverse),
-        "reversed": lambda items: list(reversed(items)),
-        "min": min,
-        "max": max,
-        "abs": abs,
-        "round": round,
-    }
-)
+_OF_ITEMS = frozenset({"len", "min", "max", "sorted", "reversed", "list", "tuple", "set", "range", "zip", "enumerate"})
+"""Functions of what holds values, whatever these are."""
+_OF_PLAIN = frozenset({"abs", "all", "any", "divmod", "ord", "repr", "round", "sum"})
+"""Functions of values that are wholly known."""

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import ast
-import operator
-from collections.abc import Callable, Mapping
-from types import MappingProxyType
 
+from ecm_parsers.expression_limits import ExpressionError, check_scalar
 from ecm_parsers.expression_operators import COMPARE, UNARY
+from ecm_parsers.expression_operators import binary as plain_binary
+from ecm_parsers.python.formats import percent_formatted
 from ecm_parsers.python.library import joined_path
-from ecm_parsers.python.methods import hashable, percent_formatted
 from ecm_parsers.python.values import (
     MAX_ITEMS,
     Condition,
@@ -19,6 +18,7 @@ from ecm_parsers.python.values import (
     Text,
     Unknown,
     Value,
+    hashable,
     is_counted,
     merged_text,
     shown,
@@ -26,25 +26,14 @@ from ecm_parsers.python.values import (
 )
 from ecm_parsers.template import Substitution, Template, negated
 
-MAX_NUMBER = 1e15
-_ARITHMETIC: Mapping[type[ast.operator], Callable[[float, float], float]] = MappingProxyType(
-    {
-        ast.Add: operator.add,
-        ast.Sub: operator.sub,
-        ast.Mult: operator.mul,
-        ast.Div: operator.truediv,
-        ast.FloorDiv: operator.floordiv,
-        ast.Mod: operator.mod,
-    }
-)
 _NEVER_EMPTY = frozenset({"find", "find_prefix", "dirname", "file", "yaml", "command", "anon"})
 _TEXTS = (str, Text, Unknown, Reference)
 _NEGATIVE = (ast.NotEq, ast.NotIn, ast.IsNot)
 
 
 def binary(kind: ast.operator, left: Value, right: Value) -> Value:
-    """Return what an arithmetic operator gives; Unknown when that is not known."""
-    if _numbers(left, right):
+    """Return what an operator with two sides gives; Unknown when that is not known."""
+    if isinstance(left, int | float) and isinstance(right, int | float):
         return _arithmetic(kind, left, right)
     if isinstance(kind, ast.Add):
         return _added(left, right)
@@ -65,18 +54,13 @@ def signed(kind: ast.unaryop, value: float) -> Value:
         return Unknown("sign")
 
 
-def _numbers(left: Value, right: Value) -> bool:
-    return all(isinstance(value, int | float) for value in (left, right))
-
-
 def _arithmetic(kind: ast.operator, left: float, right: float) -> Value:
-    function = _ARITHMETIC.get(type(kind))
-    if function is None or max(abs(left), abs(right)) > MAX_NUMBER:
-        return Unknown("arithmetic")
     try:
-        return function(left, right)
-    except (ArithmeticError, ValueError):
+        found = plain_binary(type(kind), left, right)
+        check_scalar(found)
+    except (ExpressionError, ArithmeticError, TypeError, ValueError):
         return Unknown("arithmetic")
+    return found
 
 
 def _added(left: Value, right: Value) -> Value:
@@ -102,6 +86,8 @@ def compare(kind: ast.cmpop, left: Value, right: Value) -> Value:
         except TypeError:
             return Unknown("comparison")
     if isinstance(left, Unknown) or isinstance(right, Unknown) or not isinstance(kind, _TEXTUAL):
+        return Unknown("comparison")
+    if isinstance(kind, ast.Is | ast.IsNot) and (isinstance(left, Reference) or isinstance(right, Reference)):
         return Unknown("comparison")
     if isinstance(kind, ast.Is | ast.IsNot):
         return isinstance(kind, ast.IsNot)
@@ -155,7 +141,7 @@ def _is_never_empty(parts: Template) -> bool:
 def subscript(owner: Value, key: Value) -> Value:
     """Return an item of a list or map, Unknown when there is none."""
     if isinstance(owner, dict):
-        return owner.get(key, Unknown("item")) if hashable(key) else Unknown("item")
+        return owner.get(key, owner.get(Many(key), Unknown("item"))) if hashable(key) else Unknown("item")
     if not isinstance(owner, str) and not (isinstance(owner, list | tuple) and is_counted(owner)):
         return Unknown("item")
     if isinstance(key, int) and -len(owner) <= key < len(owner):

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Mapping
 from dataclasses import replace
+from types import MappingProxyType
 
 from ecm_parsers.python.values import Many, Text, Unknown, Value
 
@@ -47,4 +49,6 @@ def line_of(value: Value, otherwise: int = 0) -> int:
     return line if isinstance(line, int) and line else otherwise
 
 
-_PLACED: dict[type, type[Written | Row | Listed]] = {str: Written, Written: Written, tuple: Row, Row: Row, list: Listed}
+_PLACED: Mapping[type, type[Written | Row | Listed]] = MappingProxyType(
+    {str: Written, Written: Written, tuple: Row, Row: Row, list: Listed}
+)

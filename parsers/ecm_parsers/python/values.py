@@ -213,6 +213,24 @@ def is_counted(items: Iterable[Value]) -> bool:
     return not any(isinstance(item, Many) for item in items)
 
 
+def is_plain(value: Value, depth: int = 0) -> bool:
+    """Tell whether a value is data that is wholly known."""
+    if isinstance(value, list | tuple) and depth < MAX_DEPTH:
+        return all(is_plain(item, depth + 1) for item in value)
+    if isinstance(value, dict) and depth < MAX_DEPTH:
+        return all(is_plain(item, depth + 1) for pair in value.items() for item in pair)
+    return value is None or isinstance(value, str | int | float)
+
+
+def hashable(value: Value) -> bool:
+    """Tell whether a value can be a key."""
+    if isinstance(value, Many):
+        return isinstance(value.each, Unknown) or hashable(value.each)
+    return isinstance(value, str | int | float | bool | Text | None) or (
+        isinstance(value, tuple) and all(hashable(item) for item in value)
+    )
+
+
 def is_yaml_file(value: Value) -> bool:
     """Tell whether a value is the data of a YAML file."""
     return isinstance(value, Text) and [getattr(part, "kind", "") for part in value.parts] == ["yaml"]

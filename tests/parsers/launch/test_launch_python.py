@@ -61,6 +61,12 @@ ARG_X = (Substitution("arg", (("x",),)),)
         ("(lambda y: y + '!')('d')", ("d!",)),
         ("'ABC'.lower()", ("abc",)),
         ("str(3)", ("3",)),
+        ("f'{1.5:.2f}_{[1]}_{None}'", ("1.50_[1]_None",)),
+        ("'%02d%%' % 3", ("03%",)),
+        ("'{:>3}{{}}'.format('a')", ("  a{}",)),
+        ("'_'.join({'a': 1, 'b': 2})", ("a_b",)),
+        ("','.join(str(2 ** n) for n in range(3))", ("1,2,4",)),
+        ("'a%d' % sorted([1, 2], reverse=True)[0]", ("a2",)),
     ],
 )
 def test_values(expression: str, parts: tuple[object, ...]) -> None:
@@ -209,3 +215,32 @@ def test_never_raises(text: str) -> None:
     described = f"def generate_launch_description():\n    return LaunchDescription([Node({text})])"
     for data in (text.encode(), described.encode()):
         assert is_told(data, parse_launch_python(data))
+
+
+@pytest.mark.parametrize(
+    ("body", "names"),
+    [
+        ("names = ['a', 'b']\nnames.remove('a')", ["b"]),
+        ("names = ['a', 'b']\ndel names[0]", ["b"]),
+        ("names = ['b', 'a']\nnames.sort()\nnames.pop()", ["a"]),
+        ("names = ['a', 'b']\nif LaunchConfiguration('x').perform(c) == 'c':\n    names.remove('a')", ["a", "b"]),
+        ("names = []\nfor n in ['a', 'b', 'c']:\n    if n == 'b':\n        continue\n    names.append(n)", ["a", "c"]),
+        ("names = []\nfor n in ['a', 'b', 'c']:\n    if n == 'c':\n        break\n    names.append(n)", ["a", "b"]),
+        ("def first():\n    for n in ['a', 'b']:\n        return n\nnames = [first()]", ["a"]),
+    ],
+)
+def test_lists_and_loops(body: str, names: list[str]) -> None:
+    """What a file takes from a list is not started, and a loop ends where it says so."""
+    nodes = "return LaunchDescription([Node(package='p', executable='e', name=n) for n in names])"
+    assert [each.name for each in read(f"{body}\n{nodes}") if isinstance(each, Node)] == [(name,) for name in names]
+
+
+def test_actions_of_a_branch_that_returns_them() -> None:
+    """A function that returns actions in one branch only gives them under its condition."""
+    before = (
+        "def start():\n    if LaunchConfiguration('x').perform(c) == 'a':\n"
+        "        return [Node(package='p', executable='e', name='n')]\n"
+    )
+    (found,) = read("return LaunchDescription(start())", before)
+    assert isinstance(found, Group)
+    assert found.condition == (Substitution("equals", (ARG_X, ("a",))),)
