@@ -137,6 +137,7 @@ class Linker:
         self.needed = Needed(self.sites, self.modules)
         self.open_declarations = OpenDeclarations()
         self.program_nodes = NodesOfPrograms(self.names, self.modules)
+        self._handles: dict[Module, Handles] = {}
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[Module, list[Diagnosis]] = defaultdict(list)
@@ -257,7 +258,7 @@ class Linker:
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
-        handles = self.handles.within(NodesHanded(self.sites, self.modules, module))
+        handles = self._handles_of(module)
         given = handle_argument(site.form, site.call)
         handle = handles.of(given, site.env, only=bool(site.form.fixed and site.form.node))
         for interface, local in self._interfaces(site, handle, node, origin):
@@ -269,6 +270,11 @@ class Linker:
             if interface.type == SERVICE:
                 for maker in {unit, site.call.func.holder or site.call.func}:
                     self._servers[module, maker].append(Placed(interface, local, next(iter(site.call.types), "")))
+
+    def _handles_of(self, module: Module) -> Handles:
+        if module not in self._handles:
+            self._handles[module] = self.handles.within(NodesHanded(self.sites, self.modules, module))
+        return self._handles[module]
 
     def _interfaces(
         self, site: Site, handle: Handle, node: str | None, origin: str | None
