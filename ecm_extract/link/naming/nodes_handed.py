@@ -10,13 +10,13 @@ from ecm_parsers.source.expr import Name
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.sites import Sites
-from ecm_extract.link.naming.handle import OWN, Handle
+from ecm_extract.link.naming.handle import OWN, Handle, under
 from ecm_extract.link.owning.modules import Module, Modules
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound
 from ecm_extract.link.running.values import literal, unknown
 
-OPEN_NODE: Final = Handle(literal(""), unknown("name"))
+OPEN_NODE: Final = Handle(literal(""), under(unknown("namespace"), unknown("name")))
 MAX_HANDING: Final = 200
 """Parameters through which a node is followed from one function to the next."""
 
@@ -44,9 +44,7 @@ class NodesHanded:
         self._module = module
         self._known: dict[_Parameter, Handle | None] = {}
 
-    def of(
-        self, func: Func, name: str, this: Cls | None, known: Callable[[Bound], Handle | None]
-    ) -> Handle | None:
+    def of(self, func: Func, name: str, this: Cls | None, known: Callable[[Bound], Handle | None]) -> Handle | None:
         """Return any of the nodes that a parameter is, by what `known` tells of what calls give; None of none."""
         asked = _Parameter(func, name, this)
         if asked not in self._known:
@@ -101,10 +99,11 @@ class NodesHanded:
 
 
 def several(found: Iterable[Handle | None]) -> Handle | None:
-    """Return the node that may be any of several; None where none of them is known."""
+    """Return the node that may be any of several; None where none is known, or the one at hand beside unknown ones."""
     known = dict.fromkeys(found)
     nodes = [each for each in known if each is not None]
-    if len(nodes) <= 1:
-        return OPEN_NODE if None in known and nodes not in ([], [OWN]) else next(iter(nodes), None)
-    first, *others = [each.as_choice() for each in (*nodes, *[OPEN_NODE] * (None in known))]
+    if nodes in ([], [OWN]):
+        return next(iter(nodes), None)
+    nodes += [OPEN_NODE] * (None in known)
+    first, *others = [each.as_choice() for each in nodes] if len(nodes) > 1 else nodes
     return first._replace(others=tuple(others))
