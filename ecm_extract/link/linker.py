@@ -41,8 +41,7 @@ from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.naming.handles import Handles
 from ecm_extract.link.naming.host_arguments import HostArguments
 from ecm_extract.link.naming.node_names import NodeName, NodeNames
-from ecm_extract.link.naming.nodes_handed import NodesHanded
-from ecm_extract.link.naming.nodes_of_programs import NodesOfPrograms
+from ecm_extract.link.naming.nodes_of_modules import NodesOfModules
 from ecm_extract.link.naming.plugin_names import Names, with_own_names
 from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.naming.values_given import ValuesGiven
@@ -119,7 +118,7 @@ class Linker:
         needed, typing = Needed(self.sites, self.modules), EndpointTypes(self.folder, self.types, packages)
         self.rows = SiteRows(self.sites, self.given, self.conditions, needed, typing)
         self.open_declarations = OpenDeclarations()
-        self.program_nodes = NodesOfPrograms(self.names, self.modules)
+        self.nodes = NodesOfModules(self.handles, self.names, self.sites, self.modules)
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[Module, list[Diagnosis]] = defaultdict(list)
@@ -214,32 +213,20 @@ class Linker:
         managed = module.cls is not None and is_managed(module.cls, self.program)
         stamped = tuple(dict.fromkeys(self._stamped.get(module, ())))
         told = tuple(dict.fromkeys(self._diagnosed.get(module, ())))
-        node = self._node(module, nodes)
+        node = self.nodes.named(module, nodes)
         text, at = (node.text, node.at) if node is not None and not node.is_open and node.in_graph else (None, None)
         return LinkedModule(module, text, interfaces, local, claims, seen, managed, stamped, lines, told, at)
-
-    def _node(self, module: Module, nodes: Mapping[Cls, NodeName]) -> NodeName | None:
-        if module.cls is not None:
-            return nodes.get(module.cls)
-        return self.names.of_program(module.main) if module.main is not None else None
-
-    def _around(self, module: Module, nodes: Mapping[Cls, NodeName]) -> str | None:
-        """The name of the node below which a module has what stands below no other one."""
-        if module.main is not None:
-            return self.program_nodes.of(module)
-        node = self._node(module, nodes)
-        return node.in_graph if node is not None else None
 
     # --- endpoints ---------------------------------------------------------------------------------------
 
     def _attribute(self, site: Site, found: dict[Module, list[Interface]], nodes: Mapping[Cls, NodeName]) -> None:
         for unit in units_of(site, self.sites, self.modules):
             for module in self.ownership.owners(unit, site):
-                self._give(site, unit, module, found[module], self._around(module, nodes))
+                self._give(site, unit, module, found[module], self.nodes.around(module, nodes))
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
-        handles = self.handles.within(NodesHanded(self.sites, self.modules, module))
+        handles = self.nodes.handles(module)
         given = handle_argument(site.form, site.call)
         handle = handles.of(given, site.env, only=bool(site.form.fixed and site.form.node))
         for interface, local in self.rows.of(site, handle, node, origin):

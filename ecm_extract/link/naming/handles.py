@@ -20,7 +20,7 @@ from ecm_extract.link.naming.given_handles import given_namespace
 from ecm_extract.link.naming.handle import OWN, Handle, agreed, of_any, under
 from ecm_extract.link.naming.host_arguments import HostArguments
 from ecm_extract.link.naming.new_nodes import NewNodes
-from ecm_extract.link.naming.nodes_handed import NodesHanded, several
+from ecm_extract.link.naming.nodes_handed import NodesHanded
 from ecm_extract.link.naming.sole_objects import SoleObjects
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Bound, Env, Instance, invocation_of
@@ -206,14 +206,11 @@ class Handles:
 
     def _by_callers(self, parameter: str, env: Env, depth: int) -> Handle | None:
         """Any of the nodes that the module hands a function of ROS 2; None where it hands none that is known."""
-        given = self._callers.of(env.func, parameter, env.this) if self._callers is not None else ()
-        if not given or env.func.file.ros != 2 or (env.func, parameter) in self._handing:
+        if self._callers is None or env.func.file.ros != 2:
             return None
-        self._handing.add((env.func, parameter))
-        try:
-            return several([self._known(bound.expr, bound.env, depth + 1) for bound in given])
-        finally:
-            self._handing.discard((env.func, parameter))
+        return self._callers.of(
+            env.func, parameter, env.this, lambda given: self._known(given.expr, given.env, depth + 1)
+        )
 
     def _handed(self, parameter: str, env: Env) -> Handle | None:
         """What a library, or the hosts in the tree, give a method that they call without knowing its class."""
@@ -258,7 +255,8 @@ class Handles:
             return self.new.of_cpp(call.args, env)
         if last in carriers() and call.args:
             return self._known(call.args[0], env, depth + 1)
-        if last in _SAME or (len(call.args) == 1 and _is_pointer(last)):
+        same = last in _SAME and self.folder.objects.callee(call, env) is None
+        if same or (len(call.args) == 1 and _is_pointer(last)):
             return self._known(call.args[0] if call.args else call.receiver, env, depth + 1)
         return self._returned(call, env, depth)
 

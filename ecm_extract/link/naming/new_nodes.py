@@ -20,7 +20,9 @@ from ecm_extract.link.running.values import Value, is_known, literal, unknown
 NODE_NAME: Final = "arg:0|kw:node_name"
 NODE_SPACE: Final = "kw:namespace"
 """Where a node of rclpy is given its name and its namespace."""
-_NAMESPACES = frozenset({"get_fully_qualified_name", "get_namespace", "get_effective_namespace"})
+_OF_NODES = frozenset({"get_fully_qualified_name", "get_namespace", "get_effective_namespace", "get_name"})
+"""Methods of nodes that give a text."""
+_TEXTS: Final = ("string", "char")
 
 
 def _no_name(_made: Instance) -> None:
@@ -71,6 +73,7 @@ class NewNodes:
 
     def _is_namespace(self, expr: Expr, env: Env) -> bool:
         """Tell whether the second argument of a node is text; its options are an object."""
-        if isinstance(expr, Call) and invocation_of(expr, env).last in _NAMESPACES:
+        if isinstance(expr, Call) and invocation_of(expr, env).last in _OF_NODES:
             return True
-        return "string" in self.folder.objects.type_of(expr, env) or is_known(self.folder.fold(expr, env)[0])
+        written = self.folder.objects.type_of(expr, env)
+        return any(word in written for word in _TEXTS) or is_known(self.folder.fold(expr, env)[0])

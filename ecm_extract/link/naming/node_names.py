@@ -257,7 +257,7 @@ class NodeNames:
         return None
 
     def made_by(self, classes: Iterable[Cls]) -> Iterator[tuple[Func, NodeName | None]]:
-        """Yield the functions that make nodes, of client libraries or of classes of the tree, and their names."""
+        """Yield the functions that make nodes, of libraries or of classes of the tree, and what each is called."""
         for call in (call for name in _NAMING for call in self.sites.calls.get(name, ())):
             found = self._initialised(call) if call.statement.kind != "init" else None
             if found is not None:
