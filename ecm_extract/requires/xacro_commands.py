@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from typing import Final
 
 from ecm_checker.hub.requirement import Requirement
-from ecm_parsers.launch.model import Substitution, Template
 from ecm_parsers.launch.templates import substitutions, written
+from ecm_parsers.template import Substitution, Template
 
 from ecm_extract.requires.place import Place, required
 

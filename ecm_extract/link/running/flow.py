@@ -89,8 +89,6 @@ class Flow:
         self._runs.clear()
         self.keys.forget()
 
-    # --- runs --------------------------------------------------------------------------------------------
-
     def run(self, env: Env, whole: bool = True) -> Run | None:
         """Return the run of the function at a place; None in a circle of questions, and after a fault.
 
@@ -250,8 +248,6 @@ class Flow:
     def is_bound_once(self, func: Func, key: str) -> bool:
         """Tell whether a function gives a variable one value and never changes it."""
         return self.outline(func).changes.get(key, 0) <= 1
-
-    # --- what a run asks ---------------------------------------------------------------------------------
 
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
