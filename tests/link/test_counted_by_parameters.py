@@ -15,6 +15,9 @@ public:
     {count}
     {loop}
   }}
+  bool loaded(const std::string & name, int & value, int otherwise) {{
+    declare_parameter(name, otherwise); get_parameter(name, value); return ready();
+  }}
   int arms_;
 }};
 int main(int c, char ** v) {{ rclcpp::init(c, v); rclcpp::spin(std::make_shared<Arms>()); }}
@@ -61,6 +64,7 @@ OUTCOMES = [
     ("declared without a value", 'declare_parameter("arms", rclcpp::ParameterValue()); if (get_parameter("arms", read)) arms_ = read;', {"/arm_3": "one_of"}),
     ("an alternative to what is declared", 'declare_parameter("arms", 0); get_parameter_or("arms", arms_, 5);', {"/arm_0": "default"}),
     ("an alternative", 'get_parameter_or("arms", arms_, 5);', {"/arm_5": "default"}),
+    ("a helper that says something else", 'if (!loaded("arms", read, 0)) arms_ = read;', {"/arm_0": "one_of", "/arm_3": "one_of"}),
     ("never declared", 'if (get_parameter("arms", read)) arms_ = read;', {"/arm_3": "one_of"}),
 ]  # fmt: skip
 NAMED = 'create_publisher<std_msgs::msg::String>("arm_" + std::to_string(arms_), 1);'

@@ -43,7 +43,9 @@ class Parameters:
         """Return what a call reads that gives the value of a parameter."""
         read = self._read(call)
         tells = read is not None and call.func.file.language == "cpp" and self._out(call) is not None
-        return read._replace(tells=True, node=call.receiver) if read is not None and tells else read
+        if read is None or not tells:
+            return read
+        return read._replace(tells=True, node=call.receiver, plainly=call.last in READERS)
 
     def _read(self, call: Invocation) -> ParameterRead | None:
         form = self._form(call)

@@ -60,7 +60,7 @@ class ParameterFolder:
         """Whether a parameter of ROS 2 has a value: one that is declared with a default has, whoever sets it."""
         named = self.folder.fold(read.name, env)[0]
         known = self.folder.reads.default(named.text, env.func.file.package, self.owners(env))
-        if known is None or (not isinstance(known, Value) and formats.is_unset(known[0])):
+        if not read.plainly or known is None or (not isinstance(known, Value) and formats.is_unset(known[0])):
             return (setting_of(named.text, None),)
         surely = is_proved(named) and not isinstance(known, Value) and _is_before(known[1], env, read.node)
         return lowered((constant(True),), "folded" if surely else "default")

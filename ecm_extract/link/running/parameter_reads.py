@@ -25,7 +25,8 @@ class MethodRead(NamedTuple):
 class ParameterRead(NamedTuple):
     """The name of a parameter that a call reads, and its default; of a fallback what is declared holds before it.
 
-    `tells`: the call gives a variable the value, and itself whether there was one; `node` is what it is called on.
+    `tells`: the call gives a variable the value, and itself whether there was one, or what else a helper returns;
+    `node`: what it is called on; `plainly`: it is one of the client library.
     """
 
     name: Expr
@@ -33,6 +34,7 @@ class ParameterRead(NamedTuple):
     is_fallback: bool = False
     tells: bool = False
     node: Expr | None = None
+    plainly: bool = False
 
 
 class ParameterReads(Protocol):
