@@ -96,7 +96,7 @@ class ReturnFolder:
         """Return the one function that a call means by what is known of its arguments; None where several fit."""
         handed = self.closures.function(call, env)
         if handed is not None:
-            return handed[0]
+            return handed[0] if are_known(handed[0]) else None
         fitting = self._of_pointed(self.folder.objects.callees(call, env), call, env)
         if len(fitting) > 1 and env.func.file.language == "cpp":
             fitting = self._taking(fitting, call, env)
@@ -185,8 +185,9 @@ class ReturnFolder:
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""
         handed = self.closures.function(call, env)
-        lent = self.folder.lent.place(callee, handed[1], env) if handed is not None else None
-        outer = env if self.folder.nesting.enclosing(callee) is env.func else lent
+        around = self.folder.nesting.enclosing(callee)
+        lent = self.folder.lent.place(callee, handed[1], env) if handed is not None and around is not None else None
+        outer = env if around is env.func else lent
         led = self.folder.lasting_states.led(callee, call, env)
         if callee.cls is None and "lambda" not in callee.fact.traits:
             return Env(callee, 0, args, depth=env.depth + 1, outer=outer, call=led)
