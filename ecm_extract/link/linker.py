@@ -32,6 +32,7 @@ from ecm_extract.link.endpoints.observe import Observation, observation_forms, o
 from ecm_extract.link.endpoints.open_defaults import OpenDeclarations
 from ecm_extract.link.endpoints.reconfigured import SERVICE, Placed, beside, serving
 from ecm_extract.link.endpoints.site_rows import SiteRows
+from ecm_extract.link.endpoints.sole_parameters import SoleParameters
 from ecm_extract.link.endpoints.stamps import Stamp, stamps
 from ecm_extract.link.folding.data import stated_type
 from ecm_extract.link.folding.fold import Folder
@@ -114,7 +115,8 @@ class Linker:
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
         self.ownership = Ownership(self.sites, self.modules, makers)
-        self.conditions = EndpointConditions(self.sites, self.modules)
+        self.sole_parameters = SoleParameters(self.sites, self.handles)
+        self.conditions = EndpointConditions(self.sites, self.modules, self.sole_parameters)
         needed, typing = Needed(self.sites, self.modules), EndpointTypes(self.folder, self.types, packages)
         self.rows = SiteRows(self.sites, self.given, self.conditions, needed, typing)
         self.open_declarations = OpenDeclarations()
@@ -135,6 +137,7 @@ class Linker:
         self.generated.declare(self.parameters)
         self._declare_ports()
         self.parameter_sites = named_by_defaults(self.sites, self._declare_defaults)
+        self.sole_parameters.note(self.parameter_sites)
         self.folder.forget()
         self.given.forget()
 

@@ -19,10 +19,11 @@ from ecm_extract.link.code.numbers import NUMBERS
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.walk import children, last_of
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.running.defaults import Asked
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.in_order import TAKEN_FIRST
 from ecm_extract.link.running.surely_held import surely_held
-from ecm_extract.link.running.values import OfParameter, Value, is_proved, is_setting
+from ecm_extract.link.running.values import Value, is_proved, is_setting
 from ecm_extract.shipped import shipped_names
 
 _MACRO = "#if "
@@ -59,12 +60,12 @@ class Conditions:
         within = (told for asked in asked_before(call) for told in self._tested(asked.test, asked.holds, env))
         return tuple(dict.fromkeys(chain(around, within)))
 
-    def excluded(self, call: Invocation, env: Env) -> Iterator[OfParameter]:
-        """Yield the parameters that have no more their defaults where a call is evaluated."""
-        excluded = self.folder.excluded
-        yield from excluded.at(env)
+    def asked(self, call: Invocation, env: Env) -> Iterator[Asked]:
+        """Yield what was asked of parameters where a call is evaluated."""
+        known = self.folder.asked
+        yield from known.at(env)
         for asked in asked_before(call):
-            yield from excluded.on(asked.test, asked.holds, env)
+            yield from known.on(asked.test, asked.holds, env)
 
     def _of_turn(self, turn: Turn) -> tuple[Told, ...]:
         known = self._told.get(turn)

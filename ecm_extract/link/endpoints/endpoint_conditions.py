@@ -17,9 +17,10 @@ from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
 from ecm_extract.link.endpoints.around import Around
 from ecm_extract.link.endpoints.conditions import Conditions, key_of
+from ecm_extract.link.endpoints.sole_parameters import SoleParameters
 from ecm_extract.link.naming.handle import Handle
 from ecm_extract.link.owning.modules import Module, Modules
-from ecm_extract.link.running.defaults import without_those
+from ecm_extract.link.running.defaults import Asked, by_asked
 from ecm_extract.link.running.env import Bound
 from ecm_extract.link.running.values import Value
 
@@ -27,11 +28,12 @@ from ecm_extract.link.running.values import Value
 class EndpointConditions:
     """Finds the conditions of sites, and calls what they test as the module calls it."""
 
-    def __init__(self, sites: Sites, modules: Modules) -> None:
+    def __init__(self, sites: Sites, modules: Modules, sole: SoleParameters) -> None:
+        self._sole = sole
         self._folder = sites.folder
         conditions = Conditions(sites.folder)
         self._told = Around(sites, modules, conditions.of)
-        self._excluded = Around(sites, modules, conditions.excluded)
+        self._asked = Around(sites, modules, conditions.asked)
         self._topics: dict[Module, dict[str, str]] = defaultdict(dict)
 
     def of(self, site: Site) -> tuple[Condition, ...]:
@@ -40,8 +42,16 @@ class EndpointConditions:
         return tuple(dict.fromkeys(each.condition for each in self._told.of(site) if not each.asks & made))
 
     def left(self, value: Value, site: Site) -> Value:
-        """Return a value of a site, open where it has a default of a parameter that no run has which gets there."""
-        return without_those(value, set(self._excluded.of(site))) if value.template else value
+        """Return a value of a site by what every run that gets there has asked of parameters."""
+        if not value.template:
+            return value
+        return by_asked(value, {each for each in self._asked.of(site) if self._is_of_one(each, value, site)})
+
+    def _is_of_one(self, asked: Asked, value: Value, site: Site) -> bool:
+        """Whether what was asked surely is of the parameter that a value has: of its name there may be others."""
+        if asked.text is None or asked.part not in value.template:
+            return True
+        return self._sole.is_sole(asked.part.parameter, site.root.file.package)
 
     def below(self, handle: Handle, site: Site) -> Handle:
         """Return what a handle of a site makes of names, as `left` does for values."""

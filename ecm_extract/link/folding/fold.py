@@ -60,12 +60,12 @@ from ecm_extract.link.folding.steps import Steps, is_left_out
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.folding.typed_numbers import TypedNumbers
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.asked import AskedParameters
 from ecm_extract.link.running.begun_objects import BegunObjects
 from ecm_extract.link.running.changed_meanwhile import ChangedMeanwhile
 from ecm_extract.link.running.changed_outside import ChangedOutside
 from ecm_extract.link.running.ending_objects import EndingObjects
 from ecm_extract.link.running.env import MAX_DEPTH, Env
-from ecm_extract.link.running.excluded import Excluded
 from ecm_extract.link.running.faults import Faults
 from ecm_extract.link.running.first_methods import FirstMethods
 from ecm_extract.link.running.flow import Flow
@@ -174,7 +174,7 @@ class Folder:
         self.nesting = self.scope.nesting
         self.flow = Flow(self)
         self.begun_objects = BegunObjects(self)
-        self.excluded = Excluded(self)
+        self.asked = AskedParameters(self)
         self.unset = UnsetVariables(self)
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
@@ -296,7 +296,7 @@ class Folder:
         self.names.variables.forget()
         self.reads.forget()
         self.flow.forget()
-        self.excluded.forget()
+        self.asked.forget()
         self.states.forget()
         self.untold.forget()
 

@@ -72,7 +72,7 @@ class HeldFolder:
 
     def _one_of(self, held: Held, env: Env) -> tuple[Value, ...]:
         """What a variable holds that may hold something else: only where it was given this, which a test decided."""
-        return self.folder.excluded.without(self.values(held, env), held.env)
+        return self.folder.asked.by_asked(self.values(held, env), held.env)
 
     def _states(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[tuple[Held, ...]]:
         """What a variable holds in states of which it holds something different, where reading it does not raise."""

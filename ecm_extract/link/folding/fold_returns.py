@@ -63,7 +63,7 @@ class ReturnFolder:
         if not found or len(found) > MAX_RETURNS:
             return (unknown(call.last) if refused == self.folder.flow.refused and found == [] else TOO_DEEP,)
         folded = [(value, at) for expr, at in found for value in self.folder.fold(expr, at)]
-        values = [each for value, at in _beside_joined(folded) for each in self.folder.excluded.without((value,), at)]
+        values = [each for value, at in _beside_joined(folded) for each in self.folder.asked.by_asked((value,), at)]
         if call.receiver is not None and not is_own(call.receiver):
             values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
             if self._made(callee, call, env) is None:

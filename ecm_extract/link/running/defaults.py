@@ -1,14 +1,24 @@
-"""Defaults of ROS parameters within values: what they are, and values without some of them."""
+"""Defaults of ROS parameters within values: what they are, and values by what a run has asked of them."""
 
 from __future__ import annotations
 
-from collections.abc import Set
-from typing import NamedTuple
+from collections.abc import Mapping, Set
+from typing import NamedTuple, TypeAlias
 
 from ecm_parsers.source.expr import Constant, Expr, Number, Text
 
 from ecm_extract.infer.compute import NULL
-from ecm_extract.link.running.values import Enumerator, OfParameter, Value, setting_of
+from ecm_extract.link.running.values import Enumerator, Hole, OfParameter, Value, setting_of
+
+Part: TypeAlias = str | Hole | OfParameter
+"""A part of a value: a text, what is open, or what a ROS parameter gives."""
+
+
+class Asked(NamedTuple):
+    """What a run that gets to a place found of a parameter: its text, or None where it has not its default."""
+
+    part: OfParameter
+    text: str | None = None
 
 
 class Default(NamedTuple):
@@ -37,15 +47,21 @@ def stated(value: Value) -> Expr:
     )
 
 
-def without_those(value: Value, excluded: Set[OfParameter]) -> Value:
-    """The same value where some parameters are surely set to something else than their defaults."""
-    if excluded.isdisjoint(value.template):
+def by_asked(value: Value, asked: Set[Asked]) -> Value:
+    """The same value by what a run has asked of its parameters: what they are, or that they are not their defaults."""
+    texts = {each.part: each.text for each in asked}
+    if texts.keys().isdisjoint(value.template):
         return value
-    template = [
-        part._replace(default=setting_of(part.parameter).parts)
-        if isinstance(part, OfParameter) and part in excluded
-        else part
-        for part in value.template
-    ]
+    template = tuple([_answered(part, texts) for part in value.template])
     parts = [each for part in template for each in (part.default if isinstance(part, OfParameter) else (part,))]
-    return Value(tuple(parts), "pattern", tuple(template), beside=value.beside and "pattern")
+    if any(isinstance(part, Hole | OfParameter) for part in template):
+        return Value(tuple(parts), "pattern", template, beside=value.beside and "pattern")
+    return Value(tuple(parts), "one_of" if value.confidence == "one_of" else "folded")
+
+
+def _answered(part: Part, texts: Mapping[OfParameter, str | None]) -> Part:
+    """A part of a value as its parameter was found to be; open where it is only known not to have its default."""
+    if not isinstance(part, OfParameter) or part not in texts:
+        return part
+    text = texts[part]
+    return part._replace(default=setting_of(part.parameter).parts) if text is None else text
