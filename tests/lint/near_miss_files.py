@@ -157,7 +157,7 @@ def read_twice(between: str) -> Files:
         '  ros::init(argc, argv, "base");',
         '  ros::NodeHandle handle("~/limits");',
         "  double speed = 0.0, force = 0.0;",
-        "#if WITH_SPEED",
+        "#if WITH_SPEED==2 and not WITH_FORCE",
         '  handle.param("speed", speed, 1.0);',
         between,
         '  handle.param("speed", force, 1.0);',

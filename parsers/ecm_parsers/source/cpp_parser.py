@@ -11,6 +11,7 @@ from tree_sitter import Language, Parser
 
 from ecm_parsers.source import cpp_text
 from ecm_parsers.source.cpp_branches import with_one_branch
+from ecm_parsers.source.cpp_word_operators import with_signs
 
 if TYPE_CHECKING:
     from tree_sitter import Node, Tree
@@ -42,7 +43,7 @@ def parse_tree(data: bytes) -> tuple[Tree, bytes]:
     tree = _parse(data)
     if first_error(tree.root_node) is None and not cpp_text.hides_class(data):
         return tree, data
-    rewritten = with_one_branch(cpp_text.without_macros(data))
+    rewritten = with_one_branch(cpp_text.without_macros(with_signs(data)))
     if rewritten != data:
         tree, data = _parse(rewritten), rewritten
     if b"#if" in data and first_error(tree.root_node) is not None:
