@@ -85,11 +85,11 @@ class AskedParameters:
         return frozenset([Asked(part) for part in defaults])
 
     def _same(self, operands: tuple[Expr, ...], env: Env) -> Asked | None:
-        """The parameter that one side is and nothing else, with the text that the other one is."""
+        """The parameter that one side is, with the text that the other side is, unless that is its default."""
         for asked, text in (operands, operands[::-1]):
             values = self.folder.fold(asked, env) if _is_text(text) and not isinstance(asked, Text) else ()
             part = values[0].template[0] if len(values) == 1 and len(values[0].template) == 1 else None
-            if isinstance(part, OfParameter) and isinstance(text, Text):
+            if isinstance(part, OfParameter) and isinstance(text, Text) and part.default != (text.value,):
                 return Asked(part, text.value)
         return None
 
