@@ -242,7 +242,7 @@ def test_what_never_ends_is_cut_at_once(body: str) -> None:
     """Cycles and explosions of files, macros, blocks and texts end in a diagnostic, quickly."""
     begin = time.process_time()
     found, problems = expanded(body)
-    assert time.process_time() - begin < 2.0
+    assert time.process_time() - begin < 4.0
     assert found is not None
     assert problems
 

@@ -81,14 +81,14 @@ def test_what_is_written_is_read_back(plain: dict[str, Any]) -> None:
 
 
 def test_writing_is_fast() -> None:
-    """A megabyte and a half of manifests is written well within a second (a quarter on a desk machine)."""
+    """A megabyte and a half of manifests is written within two seconds (a quarter of one on a desk machine)."""
     evidence = [{"path": f"src/file_{i}.cpp", "line": i} for i in range(3)]
     interface = {"role": "publisher", "name": "/a/b", "type": "std_msgs/msg/String", "evidence": evidence}
     plain = {"signature": {"interfaces": [{**interface, "raw_name": f"name_{i}"} for i in range(6500)]}}
     start = time.process_time()
     text = yaml_document(plain)
     assert len(text) > 1_200_000
-    assert time.process_time() - start < 1.0
+    assert time.process_time() - start < 2.0
 
 
 def test_a_long_endpoint_goes_on_below_itself() -> None:
