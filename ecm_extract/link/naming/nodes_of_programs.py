@@ -9,6 +9,7 @@ from typing import Final
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.naming.node_names import NodeName, NodeNames
 from ecm_extract.link.owning.modules import Module, Modules
+from ecm_extract.link.owning.references import Unit
 
 _ANY: Final = "{name}"
 _ANYWHERE: Final = "{namespace}/{name}"
@@ -39,8 +40,13 @@ class NodesOfPrograms:
     def _in(self, module: Module) -> list[NodeName | None]:
         if module.main is None or module.main.file.ros == 1:
             return []
-        owners = self._modules.owners
-        return [name for func, name in self._made if module in owners(func.holder or func)]
+        return [name for func, name in self._made if self._has(module, func.holder or func)]
+
+    def _has(self, module: Module, unit: Unit) -> bool:
+        """Whether a program runs a unit; to ask whose the main function of another one is would make a module of it."""
+        if isinstance(unit, Func) and self._modules.is_program(unit):
+            return unit is module.main
+        return module in self._modules.owners(unit)
 
     @cached_property
     def _made(self) -> Sequence[tuple[Func, NodeName | None]]:
