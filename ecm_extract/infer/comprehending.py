@@ -12,7 +12,7 @@ from ecm_extract.infer.assigning import Assigning
 from ecm_extract.infer.choosing import Choosing
 from ecm_extract.infer.held import State
 from ecm_extract.infer.routes import NOWHERE
-from ecm_extract.infer.run import MAX_ROUNDS, Frame
+from ecm_extract.infer.run import MAX_ITEMS, Frame
 from ecm_extract.link.code.walk import comprehensions
 
 
@@ -59,7 +59,7 @@ class Comprehending:
             return self.choosing.after(at, state)
         each, known = self.frame.body[loops[0]], self.frame.whole
         items = self.frame.judge.rounds(each.value, self.frame.place(state)) if known and each.value else None
-        if items is None or len(items) > MAX_ROUNDS:
+        if items is None or len(items) > MAX_ITEMS:
             return None
         current: State | None = state
         for item in items:
@@ -125,7 +125,7 @@ class Comprehending:
         items = (
             self.frame.judge.rounds(each.value, self.frame.place(state)) if known and each.value is not None else None
         )
-        if items is None or len(items) > MAX_ROUNDS:
+        if items is None or len(items) > MAX_ITEMS:
             return [self.assigning.element(each, loop, state)]
         return [self.assigning.known_element(each, item, loop, state) for item in items]
 

@@ -12,7 +12,7 @@ from ecm_extract.infer.branching import Blocks
 from ecm_extract.infer.comprehending import Comprehending
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.held import MAX_WAYS, Held, State, all_ways, joined_states
-from ecm_extract.infer.run import MAX_ROUNDS, MAX_STEPS, Frame
+from ecm_extract.infer.run import MAX_ITEMS, MAX_ROUNDS, MAX_STEPS, Frame
 
 
 class Looping:
@@ -38,7 +38,7 @@ class Looping:
     def _over(self, loop: Loop, state: State) -> State | None:
         each = self.frame.body[loop.each]
         items = self.frame.judge.rounds(each.value, self.frame.place(state)) if each.value is not None else None
-        if items is None or len(items) > MAX_ROUNDS:
+        if items is None or len(items) > MAX_ITEMS:
             return self._blur(loop, state)
         self.calling.giving.note(each, loop.each, self.frame.place(state), state)
         state = self._begun(loop, state)

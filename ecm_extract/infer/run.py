@@ -22,8 +22,10 @@ if TYPE_CHECKING:
 
 MAX_STATES = 256
 """States of one statement that are kept apart; beyond, they are joined."""
-MAX_ROUNDS = 256
-"""Rounds of a loop that are run one by one."""
+MAX_ITEMS = 256
+"""Elements that a loop over what is known takes one by one."""
+MAX_ROUNDS = 64
+"""Rounds of a loop by its condition that are run one by one: most count something that nobody declares."""
 MAX_STEPS = 4_000
 """Statements that one run may take; beyond, loops are no longer unrolled."""
 
