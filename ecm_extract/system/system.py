@@ -16,6 +16,7 @@ from ecm_extract.description.model import Description
 from ecm_extract.errors import InputError
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import LocatedDiagnostic, Options
+from ecm_extract.package_paths import owner_of
 from ecm_extract.stored import Stored, packages_of
 from ecm_extract.system.controllers import Controller, controllers_of
 from ecm_extract.system.evaluate import launched
@@ -30,6 +31,7 @@ from ecm_extract.system.robots import MAX_ROBOTS, controller_files, descriptions
 from ecm_extract.system.simulation import simulated_nodes
 from ecm_extract.tree import FileDiagnostic, Tree, printable
 from ecm_extract.tree.stored import NOT_KEPT, StoredTree
+from ecm_extract.tree.unread import not_read
 
 
 @dataclass(slots=True)
@@ -68,10 +70,11 @@ class LaunchError(InputError):
 
 
 class _Known(msgspec.Struct, frozen=True):
-    """What is known of packages before a launch file is looked at."""
+    """What is known of packages before a launch file is looked at, and what was not read of their tree."""
 
     packages: tuple[Package, ...]
     diagnostics: tuple[LocatedDiagnostic, ...]
+    unread: tuple[NotRead, ...]
 
 
 def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Options) -> System:
@@ -89,7 +92,7 @@ def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Opti
         LaunchError: a launch file is not in the tree, or is none.
     """
     extraction = extract(tree, msgspec.structs.replace(options, hub=True))
-    known = _Known(packages_of(extraction), extraction.diagnostics)
+    known = _Known(packages_of(extraction), extraction.diagnostics, not_read(extraction.unread))
     return _system(tree, known, launches, given)
 
 
@@ -101,7 +104,9 @@ def stored_system(stored: Stored, launches: Sequence[str], given: Given) -> Syst
         InputError: the documents do not tell what runs.
     """
     _refuse_untold(stored)
-    return _system(_tree_of(stored), _Known(stored.packages, stored.diagnostics), launches, given)
+    return _system(
+        _tree_of(stored), _Known(stored.packages, stored.diagnostics, not_read(stored.unread)), launches, given
+    )
 
 
 def _refuse_untold(stored: Stored) -> None:
@@ -126,20 +131,23 @@ def _system(tree: Tree, known: _Known, launches: Sequence[str], given: Given) ->
         system = evaluated_system(tree, files, index, paths, given)
         told = [_located(entry) for entry in tree.diagnostics if entry not in before]
         diagnostics = tuple(dict.fromkeys((*known.diagnostics, *told)))
-        system = replace(system, diagnostics=diagnostics, unread=tuple(_unread(system, known.packages)))
+        system = replace(system, diagnostics=diagnostics, unread=tuple(_unread(system, known)))
         system.launched.is_complete &= not any(entry.code == NOT_KEPT for entry in told)
         _refuse_unread(system, paths)
         return system
 
 
-def _unread(system: System, packages: Sequence[Package]) -> Iterator[NotRead]:
-    """What was not read of packages whose nodes run, and of those that they need, each once."""
-    by_name = {each.name: each for each in packages}
-    needs = nx.DiGraph((each.name, wanted.package) for each in packages for wanted in each.requires if wanted.package)
+def _unread(system: System, known: _Known) -> Iterator[NotRead]:
+    """What was not read of packages whose nodes run, of those that they need, and outside of packages, each once."""
+    by_name = {each.name: each for each in known.packages}
+    wanted = ((each.name, asked.package) for each in known.packages for asked in each.requires if asked.package)
+    needs = nx.DiGraph(wanted)
     running = {node.instance.package for node in system.nodes} & by_name.keys()
     needed = {name for each in running & needs.nodes for name in nx.descendants(needs, each)}
-    held = (by_name[name] for name in sorted(running | needed & by_name.keys()))
-    return iter(dict.fromkeys(gap for package in held for gap in package.gaps))
+    gaps = [gap for name in sorted(running | needed & by_name.keys()) for gap in by_name[name].gaps]
+    paths = {each.path for each in known.packages}
+    outside = (each for each in known.unread if each.is_gap and owner_of(each.path, paths) is None)
+    return iter(dict.fromkeys((*gaps, *outside)))
 
 
 def _located(entry: FileDiagnostic) -> LocatedDiagnostic:

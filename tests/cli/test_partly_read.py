@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -144,3 +146,24 @@ def test_an_upgrade_needs_both_sides_as_a_whole(chat: Path, capsys: pytest.Captu
     tree = written(chat, OUTSIDE)
     assert run(["check", "upgrade", tree, tree]) == 2
     assert "could not be read as a whole" in capsys.readouterr().err
+
+
+def test_a_launch_tells_of_folders_that_may_hold_its_packages(
+    chat: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A node of a package that the tree does not show may be of one in a folder that could not be listed."""
+    tree = written(chat, "pass")
+    (chat / "launch" / "both.launch.xml").write_text('<launch><node pkg="hidden" exec="driver"/></launch>')
+    assert run(["system", "--workspace", tree, "chat/both.launch.xml"]) == 0
+    (chat.parent / "drivers").mkdir()
+    listed = os.scandir
+
+    def scandir(path: Path) -> Any:
+        if Path(path).name == "drivers":
+            raise PermissionError(13, "Permission denied")
+        return listed(path)
+
+    monkeypatch.setattr(os, "scandir", scandir)
+    capsys.readouterr()
+    assert run(["system", "--workspace", tree, "chat/both.launch.xml"]) == 2
+    assert "not read: 1 file(s) or folder(s) without permission, or cut off: drivers" in capsys.readouterr().err
