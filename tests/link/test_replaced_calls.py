@@ -31,6 +31,7 @@ BODIES = {
     "the class itself": ("", "", "Demo.create_publisher = given", OPEN),
     "the object": ("", "self.create_publisher = given", "", OPEN),
     "its own class by its type": ("", "type(self).create_publisher = given", "", OPEN),
+    "its own class by an attribute": ("", "self.__class__.create_publisher = given", "", OPEN),
     "by its name": ('setattr(Node, "create_publisher", given)', "", "", OPEN),
     "by any name": ('for name in ("create_publisher",):\n    setattr(Node, name, given)', "", "", OPEN),
     "of another class": ("Other.create_publisher = given", "", "", {"/a"}),

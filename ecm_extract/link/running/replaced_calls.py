@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 _ANY: Final = "*"
 """Stands for every name."""
-_OF_CLASS: Final = frozenset({"cls", "__class__"})
+_CLASS_OF_OBJECT: Final = "__class__"
 
 
 class _Given(NamedTuple):
@@ -63,9 +63,8 @@ class ReplacedCalls:
 
     def _is_meant(self, given: _Given, call: Invocation, env: Env) -> bool:
         if call.receiver is None and not call.simple:
-            return (
-                self._full(dotted(given.owner) or "", given.func) == self._full(call.path, call.func).rpartition(".")[0]
-            )
+            holder = self._full(call.path, call.func).rpartition(".")[0]
+            return self._full(dotted(given.owner) or "", given.func) == holder
         return self._is_of_method(given, call, env)
 
     def _full(self, written: str, func: Func) -> str:
@@ -102,8 +101,7 @@ def _given_by(target: Expr | None) -> Iterator[tuple[str, Expr]]:
 
 
 def _is_of_own_class(owner: Expr) -> bool:
-    """Whether something is the class of the object at hand: `cls`, `type(self)`, `self.__class__`."""
+    """Whether something is the class of the object at hand: `type(self)`, `self.__class__`."""
     if isinstance(owner, Call):
         return owner.callee == Name("type") and owner.args == (THIS,)
-    named = owner.id if isinstance(owner, Name) else owner.name if isinstance(owner, Member) else ""
-    return named in _OF_CLASS
+    return isinstance(owner, Member) and owner.base == THIS and owner.name == _CLASS_OF_OBJECT
