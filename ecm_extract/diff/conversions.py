@@ -6,8 +6,8 @@ import re
 from functools import lru_cache
 from typing import Final
 
-_TEMPLATE: Final = re.compile(r"(?:const )?[A-Z]&{0,2}")
-"""A parameter of a template, by custom one capital."""
+_TEMPLATE: Final = re.compile(r"(?:const )?\$[A-Z]&{0,2}")
+"""A parameter of a function template, as `signatures.template_names` writes it."""
 _INTEGER: Final = re.compile(r"\b(?:long (?:long|double)|unsigned (?:long|int|char|short)|long|unsigned|size_t|int)\b")
 _SIZED: Final = {
     "unsigned long": "uint64_t",

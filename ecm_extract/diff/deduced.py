@@ -9,7 +9,7 @@ from typing import Final
 import msgspec
 from ecm_checker.hub.provision import Form
 
-_PARAMETER: Final = re.compile(r"\b[A-J]\b")
+_PARAMETER: Final = re.compile(r"\$[A-J]\b")
 """How `signatures.template_names` writes a parameter of a function template."""
 _ARGUMENT: Final = r"([\w:][\w:<>,* ]*?)"
 

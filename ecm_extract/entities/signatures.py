@@ -50,10 +50,10 @@ def normal_type(written: str) -> str:
 def template_names(of_class: Sequence[str], own: Sequence[str] = ()) -> Mapping[str, str]:
     """Return what stands for template parameters, whose names bind nobody.
 
-    Those of a class are fixed for its users (`T1`), those of a function take whatever comes (`A`).
+    Those of a class are fixed for its users (`$1`), those of a function take whatever comes (`$A`); no name begins so.
     """
-    given = {name: f"T{number}" for number, name in enumerate(of_class, 1)}
-    deduced = dict(zip(own, "ABCDEFGHIJ", strict=False))
+    given = {name: f"${number}" for number, name in enumerate(of_class, 1)}
+    deduced = {name: f"${letter}" for name, letter in zip(own, "ABCDEFGHIJ", strict=False)}
     return {**given, **deduced}
 
 

@@ -79,15 +79,16 @@ def _form(returns: str, *types: str) -> Form:
 @pytest.mark.parametrize(
     ("new", "old", "fits"),
     [
-        (_form("A", "B", "const vector<A>&"), _form("uint8_t", "int", "const vector<uint8_t>&"), True),
-        (_form("A", "B", "const vector<A>&"), _form("int", "int", "const vector<uint8_t>&"), False),
-        (_form("void", "Grid<A>&", "vector<A>"), _form("void", "Grid<int>&", "vector<int>"), True),
-        (_form("void", "Grid<A>&", "vector<A>"), _form("void", "Grid<int>&", "vector<bool>"), False),
-        (_form("void", "map<A,B>"), _form("void", "map<int,pair<int,bool>>"), True),
-        (_form("void", "Grid<A>&"), _form("void", "Grid<int,bool>&"), False),
-        (_form("void", "Grid<A>&"), _form("void", "Map<int>&"), False),
-        (_form("void", "Grid<A>&"), _form("void", "const Grid<int>&"), False),
-        (_form("void", "Grid<T1>&"), _form("void", "Grid<int>&"), False),
+        (_form("$A", "$B", "const vector<$A>&"), _form("uint8_t", "int", "const vector<uint8_t>&"), True),
+        (_form("$A", "$B", "const vector<$A>&"), _form("int", "int", "const vector<uint8_t>&"), False),
+        (_form("void", "Grid<$A>&", "vector<$A>"), _form("void", "Grid<int>&", "vector<int>"), True),
+        (_form("void", "Grid<$A>&", "vector<$A>"), _form("void", "Grid<int>&", "vector<bool>"), False),
+        (_form("void", "map<$A,$B>"), _form("void", "map<int,pair<int,bool>>"), True),
+        (_form("void", "Grid<$A>&"), _form("void", "Grid<int,bool>&"), False),
+        (_form("void", "Grid<$A>&"), _form("void", "Map<int>&"), False),
+        (_form("void", "Grid<$A>&"), _form("void", "const Grid<int>&"), False),
+        (_form("void", "Grid<$1>&"), _form("void", "Grid<int>&"), False),
+        (_form("void", "const A&"), _form("void", "const Pose&"), False),
     ],
 )
 def test_a_template_fits_what_it_can_be_deduced_from(new: Form, old: Form, fits: bool) -> None:

@@ -10,7 +10,7 @@ import msgspec
 
 from ecm_checker.hub.provision import Provision
 
-_PLACE: Final = re.compile(r"\bT(\d+)\b")
+_PLACE: Final = re.compile(r"\$(\d+)\b")
 """How types write the parameter of a class template at a place."""
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from itertools import chain, repeat
 
 from ecm_checker.hub.provision import ALIAS, Key, Provision
 from ecm_checker.match.arguments import for_arguments, written_for
@@ -107,8 +108,7 @@ class Bases:
             if len(ordered) > MAX_DEPTH:
                 break
             for entity in self._classes.get(name, ()):
-                none: tuple[tuple[str, ...], ...] = ((),) * len(entity.bases)
-                for base, arguments in zip(entity.bases, entity.given or none, strict=True):
+                for base, arguments in zip(entity.bases, chain(entity.given, repeat(())), strict=False):
                     found = self.resolve(base, name)
                     if found is not None and found not in known:
                         known.add(found)
