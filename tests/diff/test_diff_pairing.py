@@ -2,32 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 from ecm_checker.hub.provision import ALIAS, Form, Provision
 from ecm_checker.match.hierarchy import Bases
+from pairs_of_sides import entity, paired, shown
 
 from ecm_extract.diff.effects import type_changed
 from ecm_extract.diff.model import Pair
-from ecm_extract.diff.pair import Pairing
-from ecm_extract.diff.still_there import Evidence
-
-
-def entity(kind: str, name: str, owner: str = "node", **more: Any) -> Provision:
-    defaults: dict[str, Any] = {"package": "pkg", "path": "src/node.cpp", "line": 1}
-    return Provision(kind=kind, name=name, owner=owner, **(defaults | more))
-
-
-def paired(old: list[Provision], new: list[Provision], files: dict[str, str] | None = None) -> list[Pair]:
-    before = {entry.key: entry for entry in old}
-    after = {entry.key: entry for entry in new}
-    return Pairing(before, after, Evidence(files or {})).run()
-
-
-def shown(pairs: list[Pair]) -> list[tuple[str | None, str | None, str]]:
-    names = [(pair.old.name if pair.old else None, pair.new.name if pair.new else None, pair.how) for pair in pairs]
-    return sorted(names, key=str)
 
 
 def test_a_plural_is_a_rename_with_a_reason() -> None:
@@ -343,27 +324,3 @@ def test_a_function_of_another_package_has_more_in_common_than_its_name(after: s
     old = entity("function", "arm.trajectory.main", "", package="arm", path="arm/trajectory.py", forms=form)
     new = entity("function", after, "", package="other", path="other/it.py", forms=form)
     assert {pair.how for pair in paired([old], [new])} == {how}
-
-
-def _limit(owner: str, **more: Any) -> Provision:
-    return entity("constant", "LIMIT", owner, type=more.pop("type", "int"), default=3, path="include/pkg/limits.hpp")
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "holders", "how"),
-    [
-        (_limit("pkg::Arm"), _limit("pkg::Leg"), (), {"moved"}),
-        (_limit("pkg::Arm"), _limit("pkg::Leg"), ("pkg::Arm",), {"same"}),
-        (_limit("pkg::arm"), _limit("pkg::leg"), ("pkg::arm", "pkg::leg"), {"same"}),
-        (_limit("pkg::arm"), _limit("pkg::leg"), (), {"moved"}),
-        (_limit("pkg::Arm"), _limit("limbs::Arm"), ("pkg::Arm", "limbs::Arm"), {"moved"}),
-        (_limit("pkg::mode", type="mode"), _limit("pkg::state", type="state"), (), {"same"}),
-    ],
-)
-def test_constants_of_classes_and_of_namespaces(
-    old: Provision, new: Provision, holders: tuple[str, ...], how: set[str]
-) -> None:
-    """Whether the limit of one is that of another tells what both are, not how they are spelt."""
-    classes = [entity("class", name, "", path="include/pkg/limits.hpp") for name in holders]
-    pairs = paired([old, *classes], [new, *classes])
-    assert {pair.how for pair in pairs if (pair.old or pair.new).kind == "constant"} == how  # type: ignore[union-attr]

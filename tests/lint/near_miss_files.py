@@ -149,25 +149,6 @@ def pipeline(name: str) -> Files:
     }
 
 
-def read_twice(between: str) -> Files:
-    """A parameter that a function reads into two variables, with something between the two reads."""
-    lines = (
-        "#include <ros/ros.h>",
-        "int main(int argc, char ** argv) {",
-        '  ros::init(argc, argv, "base");',
-        '  ros::NodeHandle handle("~/limits");',
-        "  double speed = 0.0, force = 0.0;",
-        "#if WITH_SPEED==2 and not WITH_FORCE",
-        '  handle.param("speed", speed, 1.0);',
-        between,
-        '  handle.param("speed", force, 1.0);',
-        "#endif",
-        "  return 0;",
-        "}",
-    )
-    return {"src/base.cpp": "\n".join(lines) + "\n", "CMakeLists.txt": CMAKE.format("base")}
-
-
 def self_named(read: str) -> Files:
     return {"scripts/plane.py": script("plane", f"rospy.get_param('~{read}', 1)")}
 
@@ -343,14 +324,6 @@ def generated(body: str) -> Files:
 
 def filled_in(template: str) -> Files:
     return {f"urdf/{template}": WHEELS.format("<link name='b'/>"), **described("b.xacro")}
-
-
-def sent(made: str) -> Files:
-    head = (
-        "geometry_msgs::PoseStamped origin() { geometry_msgs::PoseStamped p; p.header.frame_id = frame; return p; }\n"
-    )
-    body = f"geometry_msgs::PoseStamped ps = {made}; ps.pose.position.x = 1; pub_.publish(ps);"
-    return {"src/a.cpp": f"{head}void A::send() {{ {body} }}\n", "CMakeLists.txt": CMAKE.format("a")}
 
 
 def moved(depends: str) -> Files:

@@ -111,3 +111,30 @@ def made_of_template(name: str) -> Files:
         "config/arm.yaml.in": "a: 1\n",
         "launch/a.launch": launch(load),
     }
+
+
+def read_twice(between: str) -> Files:
+    """A parameter that a function reads into two variables, with something between the two reads."""
+    lines = (
+        "#include <ros/ros.h>",
+        "int main(int argc, char ** argv) {",
+        '  ros::init(argc, argv, "base");',
+        '  ros::NodeHandle handle("~/limits");',
+        "  double speed = 0.0, force = 0.0;",
+        "#if WITH_SPEED==2 and not WITH_FORCE",
+        '  handle.param("speed", speed, 1.0);',
+        between,
+        '  handle.param("speed", force, 1.0);',
+        "#endif",
+        "  return 0;",
+        "}",
+    )
+    return {"src/base.cpp": "\n".join(lines) + "\n", "CMakeLists.txt": CMAKE.format("base")}
+
+
+def sent(made: str) -> Files:
+    head = (
+        "geometry_msgs::PoseStamped origin() { geometry_msgs::PoseStamped p; p.header.frame_id = frame; return p; }\n"
+    )
+    body = f"geometry_msgs::PoseStamped ps = {made}; ps.pose.position.x = 1; pub_.publish(ps);"
+    return {"src/a.cpp": f"{head}void A::send() {{ {body} }}\n", "CMakeLists.txt": CMAKE.format("a")}
