@@ -212,3 +212,32 @@ def test_a_function_of_the_tree_is_nearer_than_what_using_brings(workspace: Any)
 def test_a_function_of_a_library_is_no_method_of_the_same_name(workspace: Any) -> None:
     """`library::getName()` in a class that has a `getName` of its own is not that one."""
     assert workspace.package({"src/demo.cpp": OF_A_CLASS}, ros=1).only("publisher").name == "/demo/state"
+
+
+OWN_NODE = """
+#include <rclcpp/rclcpp.hpp>
+{declared}
+void open(rclcpp::Node & node) {{ auto a = node.create_publisher<std_msgs::msg::String>("~/state", 1); }}
+int main(int argc, char ** argv) {{
+  auto root = Node("root");
+  auto node = rclcpp::Node::make_shared("demo");
+  handed(open);
+  rclcpp::spin(node);
+}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("declared", "expected"),
+    [
+        ("struct Node { explicit Node(std::string name); };", "/demo/state"),
+        ("struct Leaf { explicit Leaf(std::string name); }; using Node = Leaf;", "/demo/state"),
+        ("using Node = rclcpp::Node;", "/{name}/state"),
+        ("struct Node : rclcpp::Node { explicit Node(std::string name) : rclcpp::Node(name) {} };", "/{name}/state"),
+    ],
+    ids=["a struct", "an alias of one", "an alias of a node", "a class of nodes"],
+)
+def test_what_a_tree_calls_node_is_a_node_only_where_it_is_one(workspace: Any, declared: str, expected: str) -> None:
+    """A name of whichever node is that of the only one there is: a struct of a tree of nodes was another."""
+    found = workspace.package({"src/demo.cpp": OWN_NODE.format(declared=declared)}).interfaces()
+    assert [row.name for row in found if row.role == "publisher"] == [expected]

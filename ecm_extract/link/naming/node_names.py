@@ -277,7 +277,7 @@ class NodeNames:
     def _initialised(self, call: Invocation) -> NodeName | None:
         named = library_function(call, _INITS.keys(), call.func.scope, self.folder.program)
         index = _INITS[named] if named is not None else None
-        if index is None and (is_node_base(call.path) and call.receiver is None):
+        if index is None and call.receiver is None and self._makes_node(call):
             index = 0
         if index is None:
             return None
@@ -292,6 +292,14 @@ class NodeNames:
         found = self._named(given, env, _place(call)) if given is not None else None
         anonymous = found is not None and named is not None and is_anonymous(named, call, env, self.folder)
         return replace(found, anonymous=True) if found is not None and anonymous else found
+
+    def _makes_node(self, call: Invocation) -> bool:
+        """Tell whether a call makes a node: what a tree itself calls `Node`, by a class or an alias, may be none."""
+        func, program = call.func, self.folder.program
+        if not is_node_base(call.path) or not is_node_base(program.canonical(call.path, func.file, func.scope)):
+            return False
+        cls = program.class_named(call.path, func.file, func.scope)
+        return cls is None or self._derives_outside(cls)
 
 
 def _by_default(func: Func) -> dict[str, Bound]:
