@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import THIS
@@ -17,6 +18,7 @@ from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.running.early_binding import is_virtual
 from ecm_extract.link.running.env import Env, Instance
+from ecm_extract.link.running.pointed_classes import PointedClasses
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -29,6 +31,7 @@ class Dispatching:
         self.folder = folder
         self.program = folder.program
         self.loaded = loaded
+        self._pointed = PointedClasses(folder)
 
     def may_mean(self, call: Invocation, method: Func, static: Cls) -> bool:
         """Tell whether a call on an object of which only the type is known may run a method.
@@ -73,6 +76,17 @@ class Dispatching:
         made = [each for each in objects if not self._is_abstract(each, methods)]
         found = [each for each in made if all(self.runs(method, each) for method in methods)]
         return len(found) == len(made) if found else None
+
+    def is_seen_elsewhere(self, site: Site) -> bool:
+        """Tell whether the objects that a site needs are seen to be made by now, and to have other methods."""
+        steps = list(site.steps())
+        return any(self._runs_others(call, env, to.func) for (call, env), (to, _) in pairwise(steps))
+
+    def _runs_others(self, call: Invocation, env: Env, method: Func) -> bool:
+        if call.receiver is None or is_own(call) or is_named(call) or not is_virtual(method, self.program):
+            return False
+        classes = self._pointed.of(call.receiver, env)
+        return bool(classes) and not any(self.runs(method, cls) for cls in classes)
 
     def at_hand(self, method: Func, call: Invocation, env: Env) -> Env:
         """Return the place of a call that means a method: in a base of its class the object at hand is of that."""

@@ -181,7 +181,7 @@ class Sites:
                 closed.extend(map(self._spread_out, self.ways.in_each_state(alone)))
             if wider and further not in widened:  # states of what was outermost make no difference further out
                 widened.add(further)
-                pending.extend(wider)
+                pending.extend(each for each in wider if each.sole or not self.dispatching.is_seen_elsewhere(each))
         closed += [replace(site, certain=False)] * any(map(self._goes_on, closed))
         return self._alike_in_all_states(closed)
 
