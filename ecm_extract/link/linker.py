@@ -38,6 +38,7 @@ from ecm_extract.link.folding.data import stated_type
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.module_kinds import is_managed
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.interfaces.message_fields import MessageFields
 from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.naming.handles import Handles
 from ecm_extract.link.naming.host_arguments import HostArguments
@@ -97,7 +98,7 @@ class Linker:
         self.unordered = settle(self.program)
         self.parameters = Parameters(forms)
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
-        self.types = Types(self.folder)
+        self.types = Types(self.folder, MessageFields(self.folder, packages))
         matcher = Matcher(forms, self.folder)
         self.registry = registry = build_registry(self.program, packages)
         also, plugins = (*observation_forms(), *SUMMARIES, LISTENER), plugins_of(self.program, registry)
@@ -117,7 +118,7 @@ class Linker:
         self.ownership = Ownership(self.sites, self.modules, makers)
         self.sole_parameters = SoleParameters(self.sites, self.handles)
         self.conditions = EndpointConditions(self.sites, self.modules, self.sole_parameters)
-        needed, typing = Needed(self.sites, self.modules), EndpointTypes(self.folder, self.types, packages)
+        needed, typing = Needed(self.sites, self.modules), EndpointTypes(self.folder, self.types)
         self.rows = SiteRows(self.sites, self.given, self.conditions, needed, typing)
         self.open_declarations = OpenDeclarations()
         self.nodes = NodesOfModules(self.handles, self.names, self.sites, self.modules)

@@ -27,6 +27,9 @@ NUMBERS: Final[Mapping[str, str]] = MappingProxyType(
     {name: "integer" for name in (*BITS, "unsigned") if name not in _LETTERS} | {"double": "double", "float": "double"}
 )
 """Types of numbers, each with the type of the parameters that it is declared with."""
+_OTHER: Final = frozenset("*[<")
+"""What stands in the types of pointers, arrays and templates."""
+_WORDS: Final = frozenset({"unsigned", "signed", "const", "constexpr", "static", "volatile"})
 
 
 def as_number(value: Any, name: str) -> Any:
@@ -54,3 +57,27 @@ def nothing_of(written: str) -> Expr | None:
     if kind == "text":
         return Text("") if last == "string" else None
     return Constant("false") if last == "bool" else Number(as_number(0, last))
+
+
+def type_of_number(written: str) -> str:
+    """Return a type of numbers in its short form: `unsigned int` is `uint`; empty for other types."""
+    if _OTHER.intersection(written):
+        return ""
+    words = [word.rsplit("::", 1)[-1] for word in written.replace("&", " ").split()]
+    kinds = [word for word in words if word not in _WORDS]
+    sign = "u" if "unsigned" in words else ""
+    if not kinds:
+        return f"{sign}int" if {"unsigned", "signed"} & set(words) else ""
+    first = "long" if "long" in kinds and "double" not in kinds else kinds[-1]
+    if first in {"float", "double", "bool"}:
+        return first
+    found = {"long": "size_t"}.get(first, f"u{first}") if sign else first
+    return found if found in BITS else ""
+
+
+def same_number(written: str) -> str:
+    """Return a text that two types of numbers share which are one type: `unsigned` and `uint32_t`; empty for others."""
+    name = type_of_number(written)
+    if name not in BITS or name in _LETTERS:
+        return name
+    return f"{'u' * (name in WITHOUT_SIGN)}int{BITS[name]}"

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Text
 from ecm_parsers.source.facts import Parameter
 
 from ecm_extract.link.code.calls import Invocation, spreads, taken_by
+from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overload_ranks import not_outranked
 from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.templates import unified
 from ecm_extract.link.code.units import Func
 
 _NUMERIC = frozenset({"int", "double", "float", "bool", "unsigned", "long", "short", "char", "size_t"})
@@ -75,8 +77,25 @@ def _deducible(call: Invocation, func: Func) -> bool:
 
 def _is_specialized_so(call: Invocation, func: Func) -> bool:
     """Of a template and its specializations only one is meant; which one a template that calls it need not know."""
+    if not call.types:
+        types = _deduced(call, func)
+        return not types or func.takes(types)
     open_ = {*call.func.fact.template, *(call.func.cls.fact.template if call.func.cls is not None else ())}
-    return not call.types or not open_.isdisjoint(call.types) or func.takes(call.types)
+    return not open_.isdisjoint(call.types) or func.takes(call.types)
+
+
+def _deduced(call: Invocation, func: Func) -> Sequence[str]:
+    """The types for which a call means a template by its variables that are numbers or texts; else nothing."""
+    general = func.general
+    if general is None:
+        return ()
+    found: dict[str, str] = {}
+    for arg, parameter in zip(taken_by(general, call), general.params, strict=False):
+        written = _declared(arg.id, call.func) if isinstance(arg, Name) else ""
+        if written and not _is_address(written):
+            found = {**unified(parameter.type, written, general.fact.template), **found}
+    types = [found.get(name, "") for name in general.fact.template]
+    return types if all(kind_of_type(written) for written in types) else ()
 
 
 def _fit(arg: Expr, parameter: Parameter, caller: Func, func: Func) -> int:
@@ -114,15 +133,17 @@ def _text_fit(last: str, written: str) -> int:
     return NO if last in _NUMERIC or last[:1].isupper() else 0
 
 
-def _variable_fit(name: str, parameter: Parameter, caller: Func) -> int:
+def _declared(name: str, caller: Func) -> str:
+    """The type that a variable or member is declared with; empty where that is not seen, or is that of a template."""
     member = caller.cls.fields.get(name) if caller.cls is not None else None
     declared = caller.written_types.get(name, member.type if member is not None else "")
-    if (
-        not declared
-        or name in caller.variously_typed
-        or plain(declared) == "auto"
-        or plain(declared) in caller.fact.template
-    ):
+    is_open = name in caller.variously_typed or plain(declared) in {"auto", *caller.fact.template}
+    return "" if is_open else declared
+
+
+def _variable_fit(name: str, parameter: Parameter, caller: Func) -> int:
+    declared = _declared(name, caller)
+    if not declared:
         return 0
     last = plain(parameter.type).rsplit("::", 1)[-1]
     if _is_address(parameter.type) and not _is_address(declared) and plain(declared) in _NUMERIC:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Sequence
 
+from ecm_extract.link.code.numbers import same_number
 from ecm_extract.link.code.spelling import last_name, template_arguments
 
 _QUALIFIERS = ("const ", "typename ", "struct ", "class ", "volatile ")
@@ -42,7 +43,7 @@ def alike(one: Sequence[str], other: Sequence[str]) -> bool:
 
 def _key(written: str) -> str:
     bare = unqualified(written)
-    return f"{_head(bare)}<{','.join(map(_key, template_arguments(bare)))}>"
+    return same_number(bare) or f"{_head(bare)}<{','.join(map(_key, template_arguments(bare)))}>"
 
 
 def _head(bare: str) -> str:

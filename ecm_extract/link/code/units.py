@@ -86,6 +86,7 @@ class Func:
     _variously_typed: frozenset[str] | None = None
     _callables: Callables | None = None
     _specialized: tuple[str, ...] | None = None
+    _general: tuple[Func, ...] | None = None
 
     def read_as(self, fact: Function) -> None:
         """Have other facts from now on, and forget what was asked of those before."""
@@ -117,6 +118,21 @@ class Func:
             primary = next((each for each in self.siblings() if _has_same_form(each, self)), None)
             self._specialized = _arguments(primary, self) if primary is not None else ()
         return self._specialized
+
+    @property
+    def general(self) -> Func | None:
+        """The template that it specializes, or it is itself of which another one is a specialization; else None."""
+        if self.file.language != "cpp" or (self.fact.specializes is None and not self.fact.template):
+            return None
+        if self._general is None:
+            self._general = tuple(self._templates())
+        return next(iter(self._general), None)
+
+    def _templates(self) -> Iterator[Func]:
+        if self.fact.specializes is not None:
+            yield from (each for each in self.siblings() if _has_same_form(each, self))
+        elif any(each.fact.specializes is not None and _has_same_form(self, each) for each in self.siblings()):
+            yield self
 
     def takes(self, types: Sequence[str]) -> bool:
         """Tell whether template arguments mean it, and not a specialization for them, or for others."""

@@ -84,7 +84,7 @@ class Sites:
         self.folder: Folder = matcher.folder
         self._dead = DeadCode(self.folder)
         self.parameters = parameters
-        self._types = TemplateTypes(self.folder)
+        self._types = TemplateTypes(self.folder, types.fields)
         self._remembered: set[Func] = set()
         self.names = SiteNames(self.folder)
         self.openness = Openness(self.folder, types, program.derived)

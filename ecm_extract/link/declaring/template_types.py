@@ -9,20 +9,24 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.containers import is_container
+from ecm_extract.link.code.numbers import kind_of_type, type_of_number
 from ecm_extract.link.code.spelling import plain
-from ecm_extract.link.code.templates import unified, unqualified
+from ecm_extract.link.code.templates import alike, unified, unqualified
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.interfaces.elements import element_given, spelled_out
+from ecm_extract.link.interfaces.message_fields import MessageFields
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env
 
 
 class TemplateTypes:
-    """Finds the types of calls; `folder` knows the types of their arguments."""
+    """Finds the types of calls; `folder` and `fields` know the types of their arguments."""
 
-    def __init__(self, folder: Folder) -> None:
+    def __init__(self, folder: Folder, fields: MessageFields) -> None:
         self.folder = folder
+        self.fields = fields
 
     def of_class(self, cls: Cls, call: Invocation, env: Env) -> dict[str, str]:
         """Return what a call that makes an object gives the template parameters of its class."""
@@ -43,11 +47,34 @@ class TemplateTypes:
 
     def leads_elsewhere(self, site: Site) -> bool:
         """Tell whether a template on the way calls another specialization, by what its callers make of it."""
-        return any(
-            not inner.func.takes([self._known(written, env) for written in outer.types])
-            for (outer, env), (inner, _) in pairwise(site.steps())
-            if outer.types
-        )
+        steps = pairwise(site.steps())
+        return any(self._means_another(outer, env, inner.func) for (outer, env), (inner, _) in steps)
+
+    def _means_another(self, call: Invocation, env: Env, func: Func) -> bool:
+        """Whether a call means another specialization than a function, or the template itself."""
+        if call.types:
+            return not func.takes([self._known(written, env) for written in call.types])
+        general = func.general
+        types = self._deduced(general, call, env) if general is not None else ()
+        return bool(types) and not func.takes(types)
+
+    def _deduced(self, general: Func, call: Invocation, env: Env) -> Sequence[str]:
+        """The types for which a call means a template by its arguments; nothing where one may have another name."""
+        shown = self.of_function(general, call, env)
+        types = [shown.get(name, "") for name in general.fact.template]
+        made = [each.specialized for each in general.siblings() if each.fact.specializes is not None]
+        for given in (types, [spelled_out(written) for written in types]):
+            if all(given) and any(all(each) and alike(given, each) for each in made):
+                return given
+        return types if all(self._is_itself(written, env) for written in types) else ()
+
+    def _is_itself(self, written: str, env: Env) -> bool:
+        """Whether a type is no other name of another one: a number, a text, a message or a class of the tree."""
+        if not written or written in env.func.fact.template:
+            return False
+        if kind_of_type(written) or type_of_number(written) or self.fields.has(written, env):
+            return True
+        return self.folder.objects.class_written(written, env) is not None
 
     def _known(self, written: str, env: Env) -> str:
         """What a type means at a place; empty of a template parameter of which nothing is known there."""
@@ -78,8 +105,12 @@ class TemplateTypes:
             return "bool" if expr.name in {"true", "false"} else ""
         if isinstance(expr, Call) and isinstance(expr.callee, Name) and is_container(expr.callee.id):
             return f"{expr.callee.id}<{', '.join(expr.types)}>" if expr.types else ""
-        written = unqualified(self.folder.objects.type_of(expr, env))
+        written = unqualified(self._as_written(expr, env))
         return "" if plain(written) == "auto" else self.meant(written, env)
+
+    def _as_written(self, expr: Expr, env: Env) -> str:
+        element = element_given(expr, lambda each: self._as_written(each, env)) if isinstance(expr, Call) else ""
+        return element or self.fields.written_type(expr, env)
 
 
 def _mentions(written: str, template: Sequence[str]) -> bool:

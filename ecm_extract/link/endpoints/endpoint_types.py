@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from ecm_checker.hub.roles import Role, roles
@@ -13,7 +12,6 @@ from ecm_extract.link.code.spelling import plain, template_arguments
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.endpoints.asked_types import AskedElsewhere, asked_type
-from ecm_extract.link.endpoints.message_fields import MessageFields
 from ecm_extract.link.folding.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
 from ecm_extract.link.folding.declared_numbers import as_spelled
 from ecm_extract.link.folding.durations import counted
@@ -21,7 +19,6 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.values import Hole, data_in
-from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped_names
 
 _ENVIRONMENT = shipped_names("link/code/library_values.toml", "environment")
@@ -33,10 +30,9 @@ _SINGLE = _NO_TEXT | {"string"}
 class EndpointTypes:
     """Finds the type of what a site declares."""
 
-    def __init__(self, folder: Folder, types: Types, packages: Sequence[PackageFacts]) -> None:
+    def __init__(self, folder: Folder, types: Types) -> None:
         self.folder = folder
         self.types = types
-        self._fields = MessageFields(folder, packages)
         self._asked = AskedElsewhere(folder, self._out_type)
 
     def of(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
@@ -171,7 +167,7 @@ class EndpointTypes:
         return self.folder.program.alias(written, env.func.file, env.scope)
 
     def _out_type(self, out: Expr | None, env: Env) -> str | None:
-        written = self._fields.written_type(out, env) if out is not None else ""
+        written = self.types.fields.written_type(out, env) if out is not None else ""
         bound = env.args.get(out.id) if isinstance(out, Name) else None
         if bound is not None and plain(written) == "auto":  # a template without a head, or a generic lambda
             return self._out_type(bound.expr, bound.env)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from ecm_parsers.numbers import integer, real
 
 from ecm_extract.infer.compute import UNKNOWN
-from ecm_extract.link.code.numbers import NUMBERS, as_number
-from ecm_extract.link.folding.declared_numbers import held_as, type_of_number
+from ecm_extract.link.code.numbers import NUMBERS, as_number, type_of_number
+from ecm_extract.link.folding.declared_numbers import held_as
 from ecm_extract.link.running.values import Value, constant, data_in, unknown
 
 

@@ -13,7 +13,7 @@ from ecm_parsers.numbers import truncated
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import UNKNOWN
-from ecm_extract.link.code.numbers import BITS, WITHOUT_SIGN
+from ecm_extract.link.code.numbers import BITS, WITHOUT_SIGN, type_of_number
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.values import Value, constant, unknown
 
@@ -21,9 +21,6 @@ _DIGITS: Final = 9
 """Digits that tell each `float` from all others ([numeric.limits.members], `max_digits10`)."""
 _LONG: Final = 12
 """Characters of a fraction that nobody writes as it is."""
-_OTHER: Final = frozenset("*[<")
-"""What stands in the types of pointers, arrays and templates."""
-_WORDS: Final = frozenset({"unsigned", "signed", "const", "constexpr", "static", "volatile"})
 
 
 def as_declared(values: tuple[Value, ...], statement: Statement | None, func: Func) -> tuple[Value, ...]:
@@ -43,22 +40,6 @@ def _type_given(statement: Statement, func: Func) -> str:
         return ""
     name = getattr(statement.target, "id", "")
     return statement.type if statement.kind in {"let", "each"} else func.written_types.get(name, "")
-
-
-def type_of_number(written: str) -> str:
-    """Return a type of numbers in its short form: `unsigned int` is `uint`; empty for other types."""
-    if _OTHER.intersection(written):
-        return ""
-    words = [word.rsplit("::", 1)[-1] for word in written.replace("&", " ").split()]
-    kinds = [word for word in words if word not in _WORDS]
-    sign = "u" if "unsigned" in words else ""
-    if not kinds:
-        return f"{sign}int" if {"unsigned", "signed"} & set(words) else ""
-    first = "long" if "long" in kinds and "double" not in kinds else kinds[-1]
-    if first in {"float", "double", "bool"}:
-        return first
-    found = {"long": "size_t"}.get(first, f"u{first}") if sign else first
-    return found if found in BITS else ""
 
 
 def _cast(value: Value, name: str) -> Value:

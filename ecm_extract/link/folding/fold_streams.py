@@ -11,10 +11,9 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 from ecm_extract.infer.compute import UNKNOWN
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.streaming import PLAIN, StreamFormat, written
-from ecm_extract.link.code.numbers import CHARACTERS
+from ecm_extract.link.code.numbers import CHARACTERS, type_of_number
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Func
-from ecm_extract.link.folding.declared_numbers import type_of_number
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.running.env import Env
 from ecm_extract.link.running.values import Value, data_in, is_proved, joined, unknown

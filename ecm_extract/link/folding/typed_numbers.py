@@ -11,8 +11,9 @@ from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type, is_map, is_tuple
+from ecm_extract.link.code.numbers import type_of_number
 from ecm_extract.link.code.spelling import plain, pointee, template_arguments
-from ecm_extract.link.folding.declared_numbers import in_type, type_of_number
+from ecm_extract.link.folding.declared_numbers import in_type
 from ecm_extract.link.running.env import MAX_DEPTH, Env, invocation_of
 from ecm_extract.link.running.values import Value
 

@@ -16,6 +16,7 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.folding.meant_names import spelled
 from ecm_extract.link.interfaces.adapters import Adapters
 from ecm_extract.link.interfaces.callbacks import callback_meant
+from ecm_extract.link.interfaces.message_fields import MessageFields
 from ecm_extract.link.interfaces.python_types import PythonTypes
 from ecm_extract.link.interfaces.sent_as import sent_as
 from ecm_extract.link.interfaces.type_found import ACTION, UNKNOWN_TYPE, TypeFound
@@ -36,8 +37,9 @@ _FUNCTION = re.compile(r"\bfunction\s*<\s*void\s*\(([^()]+)\)\s*>")
 class Types:
     """Resolves types at call sites."""
 
-    def __init__(self, folder: Folder) -> None:
+    def __init__(self, folder: Folder, fields: MessageFields) -> None:
         self.folder = folder
+        self.fields = fields
         self.program = folder.program
         self.python = PythonTypes(self)
         self.adapters = Adapters(self.program)

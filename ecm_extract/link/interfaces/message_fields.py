@@ -15,8 +15,8 @@ from ecm_extract.link.running.env import Env
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped
 
-_Fields = Mapping[str, Mapping[str, str]]
-_KNOWN: Final[_Fields] = shipped("link/endpoints/message_fields.toml")
+_Fields = Mapping[str, Mapping[str, str | Mapping[str, str]]]
+_KNOWN: Final[_Fields] = shipped("link/interfaces/message_fields.toml")
 _OTHERS: Final = {"bool": "bool", "float32": "float", "float64": "double", "string": "std::string"}
 _IN_CPP: Final = {base: _OTHERS.get(base, f"{base}_t") for base in PRIMITIVES}
 """Primitive types of fields as C++ has them; those of single bytes and wide texts are no types of parameters."""
@@ -39,11 +39,21 @@ class MessageFields:
         written = self.folder.objects.type_of(expr, env)
         if written or not isinstance(expr, Member):
             return written
-        message = plain(pointee(self.written_type(expr.base, env)))
+        message = self._meant(self.written_type(expr.base, env), env)
+        found = self._fields.get(message, {}).get(expr.name, "")
+        return found if isinstance(found, str) else found.get(str(env.func.file.ros), "")
+
+    def has(self, written: str, env: Env) -> bool:
+        """Tell whether a type as written is a message of which the fields are known."""
+        return self._meant(written, env) in self._fields
+
+    def _meant(self, written: str, env: Env) -> str:
+        """The message that a type as written means, without the namespace of its kind."""
+        message = plain(pointee(written))
         meant = plain(self.folder.program.alias(message, env.func.file, env.scope) or message)
         for shape in ("::msg::", "::srv::", "::action::"):
             meant = meant.replace(shape, "::")
-        return self._fields.get(meant, {}).get(expr.name, "")
+        return meant
 
 
 def _defined(packages: Sequence[PackageFacts]) -> Iterator[tuple[str, Mapping[str, str]]]:
