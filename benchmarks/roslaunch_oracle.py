@@ -12,8 +12,10 @@ import roslaunch.config
 import roslaunch.loader
 import roslaunch.substitution_args
 import roslaunch.xmlloader
+from rosgraph.names import resolve_name
 
 COMMAND = "<what a command prints>"
+CALLER = "/roslaunch"  # who sets the parameters of launch files, of whom a private one is
 LIMIT_S = 20
 
 
@@ -51,7 +53,8 @@ def read(path):
         }
         for node in config.nodes
     ]
-    return {"nodes": nodes, "params": {name: plain(param.value) for name, param in config.params.items()}}
+    params = {resolve_name(name, CALLER): plain(param.value) for name, param in config.params.items()}
+    return {"nodes": nodes, "params": params}
 
 
 def plain(value):

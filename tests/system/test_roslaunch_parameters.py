@@ -54,6 +54,11 @@ def parameters(folder: Path, body: str) -> dict[str, Any]:
             {"/d": "{content of tree:/b.srdf}"},
         ),
         ("<rosparam>\n  </rosparam>", {}),
+        ('<node pkg="p" type="t" name="n"><rosparam param="~a">[x]</rosparam></node>', {"/roslaunch/a": ["x"]}),
+        ('<node pkg="p" type="t" name="n"><rosparam param="a">[x]</rosparam></node>', {"/n/a": ["x"]}),
+        (f'<rosparam param="~a">[x]</rosparam>{NODE}', {"/roslaunch/a": ["x"]}),
+        ('<rosparam ns="~" file="$(find p)/ros2.yaml"/>', {"/roslaunch/n/ros__parameters/rate": 5}),
+        ('<rosparam ns="s" param="/a">[x]</rosparam>', {"/a": ["x"]}),
         (
             '<rosparam subst_value="true">\na: $(env HOME)/x\nb: {c: 1, d: "$(env HOME)"}\n</rosparam>',
             {"/a": "{env HOME}/x", "/b/c": 1, "/b/d": "{env HOME}"},

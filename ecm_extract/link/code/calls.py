@@ -11,14 +11,18 @@ from ecm_parsers.source.expr import (
     THIS,
     Call,
     Expr,
+    Lambda,
     Member,
     Name,
+    Number,
     Op,
     Opaque,
+    Text,
 )
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.code.left_alone import SPREAD, is_spread
+from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.pointed import given_to_pointed, makes_pointed
 from ecm_extract.link.code.spelling import (
     by_value,
@@ -170,13 +174,32 @@ def node_of(interfaces: tuple[Expr, ...]) -> Expr:
 
 def taken_by(func: Func, call: Invocation) -> tuple[Expr, ...]:
     """Return the arguments of a call as a function takes them: interfaces of a node as the node, where it says so."""
-    first, merged = call.args[:1], len(func.fact.params) - len(func.params)
-    written = isinstance(first[0], Op) and first[0].op == _NODE if first else False
-    if not first or (written and merged) or not (written or merged):
+    first, merged = next(iter(call.args), None), len(func.fact.params) - len(func.params)
+    if isinstance(first, Op) and first.op == _NODE:
+        return call.args if merged else (*first.operands, *call.args[1:])
+    if not merged or len(call.args) <= merged or gives_others(func, call):
         return call.args
-    if isinstance(first[0], Op) and written:
-        return (*first[0].operands, *call.args[1:])
-    return (node_of(call.args[: merged + 1]), *call.args[merged + 1 :]) if len(call.args) > merged else call.args
+    return (node_of(call.args[: merged + 1]), *call.args[merged + 1 :])
+
+
+def gives_others(func: Func, call: Invocation) -> bool:
+    """Tell whether a call gives a text, a number or a function where a function takes interfaces of a node."""
+    first, merged = next(iter(call.args), None), len(func.fact.params) - len(func.params)
+    if not merged or (isinstance(first, Op) and first.op == _NODE):
+        return False
+    return any(_is_plain(arg, call.func) for arg in call.args[: merged + 1])
+
+
+def _is_plain(arg: Expr, caller: Func) -> bool:
+    if isinstance(arg, Name):
+        return arg.id not in caller.variously_typed and bool(kind_of_type(_declared(arg.id, caller)))
+    return isinstance(arg, Text | Number | Lambda)
+
+
+def _declared(name: str, func: Func) -> str:
+    """The type that a variable or a member is declared with; empty where that is not seen."""
+    field = func.cls.fields.get(name) if func.cls is not None else None
+    return func.written_types.get(name) or (field.type if field is not None else "")
 
 
 def _is_interface(func: Func, expr: Expr) -> bool:
@@ -185,8 +208,7 @@ def _is_interface(func: Func, expr: Expr) -> bool:
         return name.startswith("get_node_") and name.endswith("_interface")
     if not isinstance(expr, Name):
         return False
-    field = func.cls.fields.get(expr.id) if func.cls is not None else None
-    written = func.written_types.get(expr.id) or (field.type if field is not None else "")
+    written = _declared(expr.id, func)
     if plain(written) != "auto":
         return is_node_interface(written)
     values = [s.value for s in func.fact.body if s.target == expr and s.kind == "let" and s.value is not None]

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Text
 from ecm_parsers.source.facts import Parameter
 
-from ecm_extract.link.code.calls import Invocation, spreads, taken_by
+from ecm_extract.link.code.calls import Invocation, gives_others, spreads, taken_by
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overload_ranks import not_outranked
 from ecm_extract.link.code.spelling import plain
@@ -26,7 +26,7 @@ def score(call: Invocation, func: Func) -> int:
         return NO
     if func.file.language == "python":
         return 0
-    if not _deducible(call, func) or not _is_specialized_so(call, func):
+    if gives_others(func, call) or not _deducible(call, func) or not _is_specialized_so(call, func):
         return NO
     total = 1 if "declaration" not in func.fact.traits else 0
     for arg, parameter in zip(taken_by(func, call), func.params, strict=False):

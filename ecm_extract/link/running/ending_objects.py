@@ -56,10 +56,17 @@ class EndingObjects:
     def _of(self, call: Call, func: Func, at: int) -> Iterator[Expr]:
         """Yield the variables, or those whose address is given, that a call gives an object which acts in its end."""
         given = [arg.operands[0] if isinstance(arg, Op) and is_address(arg) else arg for arg in call.args]
-        variables = [arg for arg in given if isinstance(arg, Name | Member)]
+        variables = {at: arg for at, arg in enumerate(given) if isinstance(arg, Name | Member)}
         env = Env(func, at, this=func.cls)
-        if variables and any(self.acts(cls) for written in self._made(call, env) if (cls := self._class(written, env))):
-            yield from variables
+        if variables and any(self._acts_as(written, env) for written in self._made(call, env)):
+            yield from variables.values()
+        elif variables and isinstance(call.callee, Member):
+            yield from (variables[at] for at in self._kept(call, call.callee.base, env) if at in variables)
+
+    def _kept(self, call: Call, base: Expr, env: Env) -> Iterator[int]:
+        """Yield the places of the arguments that a method of such an object keeps in it."""
+        if self._acts_as(pointee(self.folder.objects.type_of(base, env)), env):
+            yield from (kept.at for kept in self.folder.kept_references.of(call, env))
 
     def _made(self, call: Call, env: Env) -> Iterator[str]:
         """Yield the types of which a call may make an object: that of its own, of its result, of what it adds to."""
@@ -70,11 +77,19 @@ class EndingObjects:
             yield from self._parts(self.folder.objects.type_of(call, env))
         elif isinstance(call.callee, Member):
             yield from self._parts(self.folder.objects.type_of(call, env))
-            yield from self._parts(self.folder.objects.type_of(call.callee.base, env))
+            yield from self._elements(pointee(self.folder.objects.type_of(call.callee.base, env)))
 
     def _parts(self, written: str) -> Iterator[str]:
         yield pointee(written)
+        yield from self._elements(written)
+
+    def _elements(self, written: str) -> Iterator[str]:
+        """Yield the types of what an object holds that adds to itself; a call on an object makes no other one."""
         yield from map(pointee, parts_of_elements(written) or template_arguments(written))
+
+    def _acts_as(self, written: str, env: Env) -> bool:
+        cls = self._class(written, env)
+        return cls is not None and self.acts(cls)
 
     def _class(self, written: str, env: Env) -> Cls | None:
         return self.folder.objects.class_written(written, env) if written else None

@@ -121,13 +121,13 @@ class Ros1Reader:
         if command != "load":
             return None
         if entity.get("file"):
-            place = _joined(template(entity, "ns"), template(entity, "param"))
+            place = _place(entity)
             path = template(entity, "file")
             substitutes = _substitutes(entity)
             return ParameterFile(
                 line=entity.line, condition=condition(entity), path=path, namespace=place, substitutes=substitutes
             )
-        name = _joined(template(entity, "ns"), template(entity, "param"))
+        name = _place(entity)
         body: Template = parse_template(entity.text) if _substitutes(entity) else (entity.text,)
         return ParameterValue(line=entity.line, condition=condition(entity), name=name, value=body)
 
@@ -225,8 +225,26 @@ def _below(entity: Entity, inner: tuple[Action, ...]) -> tuple[Action, ...]:
     return (PushNamespace(line=entity.line, namespace=template(entity, "ns")), *inner)
 
 
+def _place(entity: Entity) -> Template:
+    """Where `<rosparam>` puts what it loads: a private name is one of roslaunch itself, also in a node.
+
+    Source: `Loader.load_rosparam` keeps `~x` as it is, and `ROSLaunchRunner` sets it as the caller `/roslaunch`.
+    """
+    place = _joined(template(entity, "ns"), template(entity, "param"))
+    text = _beginning(place)
+    return (f"/roslaunch/{text[1:]}", *place[1:]) if text.startswith("~") else place
+
+
 def _joined(first: Template, second: Template) -> Template:
-    return (*first, "/", *second) if first and second else first or second
+    """Put a name below another one; a private or a global one stays as it is."""
+    if not first or _beginning(second).startswith(("~", "/")):
+        return second
+    return (*first, "/", *second) if second else first
+
+
+def _beginning(name: Template) -> str:
+    """The text that a name begins with."""
+    return name[0] if name and isinstance(name[0], str) else ""
 
 
 def _substitutes(entity: Entity) -> bool:
