@@ -87,7 +87,7 @@ class MemberFolder:
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
         known = found or part or self._field(expr, env) or self._option(expr, env)
-        known = self.folder.member_fields.beside(known, expr, env)
+        known = self.folder.member_fields.beside(known, expr, env, as_made=known is part)
         told = any(value.confidence != "pattern" for value in known)
         if told and may_be_another(expr, env, self.folder):
             return alternatives((*known, unknown(expr.name)))

@@ -30,8 +30,8 @@ class MemberFields:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
 
-    def beside(self, known: tuple[Value, ...], expr: Member, env: Env) -> tuple[Value, ...]:
-        """Return what a field is by all methods, or `known`, which is told of how its object is made.
+    def beside(self, known: tuple[Value, ...], expr: Member, env: Env, as_made: bool) -> tuple[Value, ...]:
+        """Return what a field is by all methods, or `known`, `as_made`: which is told of how its object is made.
 
         Where it is not seen what a method makes of the field, how its object is made is not all that is known of it.
         """
@@ -44,7 +44,8 @@ class MemberFields:
         known = known if begun else self._declared(expr, env, known)
         if told:
             return left if begun else self._besides(known, left)
-        more = any(map(_is_told, known)) and (env.func.file.language == "python" or self._is_lost(key, cls, env))
+        asked = env.func.file.language == "python" or (as_made and self._is_lost(key, cls, env))
+        more = asked and any(map(_is_told, known))
         return alternatives((*known, unknown(expr.name))) if more else known
 
     def _is_lost(self, key: str, cls: Cls, env: Env) -> bool:
