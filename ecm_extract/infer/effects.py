@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections.abc import Iterator, Sequence, Set
 from itertools import chain
 from typing import TYPE_CHECKING, Final
 
@@ -25,6 +25,7 @@ from ecm_parsers.source.expr import (
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names, shared_names
+from ecm_extract.infer.by_reference import by_reference
 from ecm_extract.infer.effect import Effect, Kind
 from ecm_extract.infer.finding import found
 from ecm_extract.infer.handed_functions import HandedFunctions
@@ -35,7 +36,7 @@ from ecm_extract.infer.reading_calls import leaves_arguments
 from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
-from ecm_extract.link.code.spelling import is_constant_value, last_name, may_be_written
+from ecm_extract.link.code.spelling import is_constant_value, last_name
 from ecm_extract.link.code.walk import given_to, last_of
 
 if TYPE_CHECKING:
@@ -170,9 +171,18 @@ class Effects:
             yield from self._given(call, arg, target, param.name if param is not None else "", at)
         for name, arg in named:
             yield from self._given(call, arg, target, name, at)
+        yield from self._by_rivals(call, passed, at)
         yield from (Effect("handed", key, call) for key in within)
         if led and (target is None or any(self.targets.parameters.may(target, entry.name) for entry in params)):
             yield from (Effect("reached", key, call) for each in led if (key := self.key(each)))
+
+    def _by_rivals(self, call: Call, passed: Sequence[tuple[int, Expr]], at: int) -> Iterator[Effect]:
+        """What other functions of C++ change that a call may mean as well."""
+        for rival in self.targets.parameters.rivals(call, self.func, at) if not self.python else ():
+            params = rival.fact.params
+            taken = ((arg, params[index].name) for index, arg in passed if index < len(params))
+            given = (each for arg, name in taken for each in self._given(call, arg, rival, name, at))
+            yield from (Effect("lost", each.key, call) for each in given)
 
     def _on_first(self, call: Call) -> Call:
         """`list.append(rows, x)` of Python as `rows.append(x)`; any other call as it is."""
@@ -246,9 +256,10 @@ class Effects:
             return arg != THIS
         if isinstance(arg, Op) and arg.op in {"&", "[]"}:
             return bool(self.root(arg.operands[0]))
-        return self._iterates(arg) or (isinstance(arg, Call) and bool(self.key(arg)))
+        return self.iterates(arg) or (isinstance(arg, Call) and bool(self.key(arg)))
 
-    def _iterates(self, arg: Expr) -> bool:
+    def iterates(self, arg: Expr) -> bool:
+        """Tell whether an argument is an iterator that a method of a container gives."""
         return isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in self.calls.iterators
 
     def _given(self, call: Call, arg: Expr, target: Func | None, name: str, at: int) -> Iterator[Effect]:
@@ -262,7 +273,7 @@ class Effects:
             made = isinstance(call.callee, Name) and last[:1].isupper()
             outside = made or (self.python and root.startswith("."))
             written = last in self.calls.writing
-            if written or self._iterates(arg) or (isinstance(arg, Op) and arg.op == "&"):
+            if written or self.iterates(arg) or (isinstance(arg, Op) and arg.op == "&"):
                 yield Effect("lost", root, call)
             elif self.python or not (outside or self._is_constant(root)):
                 yield Effect("handed" if key else _within(arg), root, call)
@@ -272,7 +283,7 @@ class Effects:
             elif self.targets.parameters.may(target, name):
                 yield Effect("out" if key else _within(arg), root, call, name)
         else:
-            yield from self._by_reference(call, arg, target, name, root)
+            yield from by_reference(call, arg, target, name, self)
 
     def is_of_library(self, key: str) -> bool:
         """Tell whether a variable of Python is what a module outside of the tree has: a class, an enumerator."""
@@ -292,26 +303,6 @@ class Effects:
         """Whether a variable of C++, one of a loop too, is declared as a constant that is no pointer."""
         each = (entry.type for entry in self.func.fact.body if entry.kind == "each" and entry.target == Name(key))
         return not self.python and is_constant_value(self.func.written_types.get(key) or next(each, ""))
-
-    def _by_reference(self, call: Call, arg: Expr, target: Func, name: str, root: str) -> Iterator[Effect]:
-        written = next((entry.type for entry in target.fact.params if entry.name == name), "")
-        if self._iterates(arg):
-            yield Effect("lost", root, call)
-        elif may_be_written(written):
-            pointed = written.rstrip().endswith("*") and not (isinstance(arg, Op) and arg.op == "&")
-            array = self.func.written_types.get(root, "").endswith("[]")
-            if pointed and (array or self.targets.parameters.may(target, name)):
-                yield Effect("lost", root, call)
-            elif not pointed and self.key(arg) and not written.endswith("&&"):
-                yield from self._out(root, call, target, name)
-            elif not pointed:
-                yield Effect("lost", root, call, name)
-
-    def _out(self, key: str, call: Call, target: Func, name: str) -> Iterator[Effect]:
-        """What a function does to a variable that it gets by reference: to some of its fields, or to all of it."""
-        fields = self.targets.parameters.fields(target, name)
-        for each in (name,) if fields is None else sorted(fields):
-            yield Effect("out", key + each.removeprefix(name), call, each)
 
 
 def is_element(expr: Expr) -> bool:

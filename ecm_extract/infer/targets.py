@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Mapping, Sequence, Set
 from typing import TYPE_CHECKING, Protocol
 
 from ecm_parsers.source.expr import Call, Expr, Member
@@ -25,6 +25,15 @@ class Parameters(Protocol):
 
     def may(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of; in C++ the fields of that."""
+
+    def gives(self, func: Func, name: str) -> bool:
+        """Tell whether a function of C++ may give what its pointer leads to something else."""
+
+    def hands(self, func: Func, name: str) -> bool:
+        """Tell whether a function of C++ hands its pointer to somebody who is not seen."""
+
+    def rivals(self, call: Call, func: Func, at: int) -> Sequence[Func]:
+        """Return the functions of C++ that a call in a statement may mean as well as the one that it is held to."""
 
     def may_by(self, call: Call, func: Func, at: int) -> bool:
         """Tell whether a call in a statement of a function, of one of the tree, may change its first argument."""

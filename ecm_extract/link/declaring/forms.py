@@ -38,7 +38,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             rclpy the position of its descriptor.
         qos: position of the QoS profile or queue size. default: position of a parameter's default.
         fallback: the default holds only for a parameter that the node does not declare, and is nobody else's.
-        out: position of the variable that receives a parameter's value.
+        out: position of the variable that receives a parameter's value. given: position of the value that it is set to.
         receiver: last names of the classes whose objects have the method, qualified ones where others are called alike;
             empty for any.
         below: the member of its object that stands before the name, with a point between them.
@@ -73,6 +73,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     default: str = ""
     fallback: bool = False
     out: str = ""
+    given: str = ""
     receiver: tuple[str, ...] = ()
     below: str = ""
     gives: str = ""
@@ -101,6 +102,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             self.qos,
             self.default,
             self.out,
+            self.given,
             self.items,
             self.node,
             self.frame,

@@ -222,7 +222,8 @@ def handle_argument(form: Form, call: Invocation) -> Expr | None:
     if not form.node:
         return call.receiver
     found = next(positions(form.node, call), None)
-    is_name = found is not None and "text:" in form.name and is_text(found, call.func)
+    named = next(positions(form.name, call), None) if "text:" in form.name else None
+    is_name = named is not None and found is not None and (found is named or is_text(found, call.func))
     return None if is_name else found
 
 

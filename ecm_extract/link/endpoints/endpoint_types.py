@@ -39,6 +39,8 @@ class EndpointTypes:
         """Return the type of a site, and the default of a parameter as data, `UNKNOWN` when nothing shows it."""
         if not site.form.row.value:
             return self.types.at(site.form.type, site.call, site.env, site.form.role).name, UNKNOWN
+        if default is None and site.form.given:
+            return self._given(site), UNKNOWN  # what a parameter is set to is no default of it
         stated = stated_type(default) or self._bound_stated(default, site.env) or self._held_stated(default, site.env)
         data = UNKNOWN if stated else self._data(default, site.env)
         written = site.call.types[0] if site.form.type == "template:0" and site.call.types else ""
@@ -55,6 +57,13 @@ class EndpointTypes:
             known = self._asked.type_of(name_argument(site.form, site.call), site.call)
         data = as_spelled(data) if site.env.func.file.language == "cpp" else data
         return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else held_default(data, known)
+
+    def _given(self, site: Site) -> str | None:
+        """The type of what a parameter is set to, unless the class reads it for another one; of names in quotes."""
+        name, given = name_argument(site.form, site.call), next(positions(site.form.given, site.call), None)
+        if given is None or not isinstance(name, Text):
+            return None
+        return self._asked.type_of(name, site.call) or self.of(site, given)[0]
 
     def _data(self, default: Expr | None, env: Env) -> Any:
         data = data_of(default, env, self.folder)

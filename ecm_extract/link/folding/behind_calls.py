@@ -78,6 +78,8 @@ class BehindCalls:
         name = held.name.partition(".")[0]
         if callee is None or name in self.folder.flow.outline(callee).rebound:
             return None
+        if all(entry.name != name for entry in callee.fact.params):
+            return None  # of several functions of that name another one is meant here
         if callee.file.language == "python" and self.folder.methods.parameters.is_hidden(callee, name):
             return None
         inner = self.folder.returns.entered(callee, invocation, bind(callee, invocation, env), env)

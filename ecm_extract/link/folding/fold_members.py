@@ -87,7 +87,7 @@ class MemberFolder:
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
         known = found or part or self._field(expr, env) or self._option(expr, env)
-        known = self.folder.member_fields.beside(known, expr, env)
+        known = self.folder.member_fields.beside(known, expr, env, as_made=known is part)
         told = any(value.confidence != "pattern" for value in known)
         if told and may_be_another(expr, env, self.folder):
             return alternatives((*known, unknown(expr.name)))
@@ -196,10 +196,13 @@ class MemberFolder:
 
     def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         values: list[Value] = []
+        emptied: list[Value] = []
         sources = self.sources(name, cls, env)
         for held, place in sources:
             if place.func.file.language != "python" or not _is_as_given(held):
-                values += self.folder.held.values(held, place)
+                given = self.folder.held.values(held, place)
+                values += given
+                emptied += [each for each in given if not each.text and not place.func.is_constructor]
         for entry in self.folder.program.ancestry(cls):
             for method, read in self.folder.reads.members(entry, name):
                 if read.at not in self._reads_of(method, name):
@@ -211,7 +214,7 @@ class MemberFolder:
             values += [each for each in self.initial(name, cls, env) if kept or _may_stay(each)]
         others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
         others = others or list(self.initial(name, cls, env))
-        filled = [value for value in others or values if value.text]
+        filled = [value for value in others or values if value.text or value in emptied]
         others_give = self.folder.python_fields.any_is_given(cls) or self._is_others(name, cls)
         return alternatives([*(filled or others or values), *[unknown(name)] * others_give]) if values else ()
 

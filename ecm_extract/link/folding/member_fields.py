@@ -30,10 +30,10 @@ class MemberFields:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
 
-    def beside(self, known: tuple[Value, ...], expr: Member, env: Env) -> tuple[Value, ...]:
-        """Return what a field is by all methods, or `known`, which is told of how its object is made.
+    def beside(self, known: tuple[Value, ...], expr: Member, env: Env, as_made: bool) -> tuple[Value, ...]:
+        """Return what a field is by all methods, or `known`, `as_made`: which is told of how its object is made.
 
-        Where it is not seen what a method of Python makes of the field, what is known of it is not all.
+        Where it is not seen what a method makes of the field, how its object is made is not all that is known of it.
         """
         key, cls = self.folder.flow.effects(env.func).key(expr), env.this or env.func.cls
         if cls is None or not owners(key) or self._is_left_to_others(key, env) or not self._is_changed(key, cls, env):
@@ -44,8 +44,14 @@ class MemberFields:
         known = known if begun else self._declared(expr, env, known)
         if told:
             return left if begun else self._besides(known, left)
-        more = env.func.file.language == "python" and any(map(_is_told, known))
+        asked = env.func.file.language == "python" or (as_made and self._is_lost(key, cls, env))
+        more = asked and any(map(_is_told, known))
         return alternatives((*known, unknown(expr.name))) if more else known
+
+    def _is_lost(self, key: str, cls: Cls, env: Env) -> bool:
+        """Whether it is not seen what a method gives the field of an object that another one made."""
+        left = self._left(key, cls, env, of_makers=False)
+        return not all(map(_is_told, left))
 
     def _declared(self, expr: Member, env: Env, known: tuple[Value, ...]) -> tuple[Value, ...]:
         """What is known of a field, and what it is declared with: no method need have run that gives it something.
@@ -78,21 +84,38 @@ class MemberFields:
         new = self.folder.names.is_fresh(env) and self.folder.first_methods.finds_new(env.func, key.split(".")[1])
         return new or self.folder.given_fields.is_reached_into(key, env.func.file.language)
 
-    def _left(self, key: str, cls: Cls, env: Env) -> tuple[Value, ...]:
-        asked = ("left", key, cls, env.made, env.func)
+    def _left(self, key: str, cls: Cls, env: Env, of_makers: bool = True) -> tuple[Value, ...]:
+        """What methods leave the field with; `of_makers`: those too that make its object."""
+        asked = ("left", key, cls, env.made, env.func, of_makers)
         name = key.rpartition(".")[2]
-        return self.folder.guarded(asked, name, lambda: alternatives(list(self._at_ends(key, cls, env))))
+        return self.folder.guarded(asked, name, lambda: alternatives(list(self._at_ends(key, cls, env, of_makers))))
 
-    def _at_ends(self, key: str, cls: Cls, env: Env) -> Iterator[Value]:
+    def _at_ends(self, key: str, cls: Cls, env: Env, of_makers: bool) -> Iterator[Value]:
         for run, place in self._ends(key, cls, env):
+            if not of_makers and run is not None and self._makes(key, run):
+                continue
             if run is None or run.end is None:
                 yield unknown(key.rpartition(".")[2])
-            elif _is_alone(self._helds(key, run)):
-                if not _is_alone(self._shown(key, run)):
-                    yield unknown(key.rpartition(".")[2])
-            else:
+                continue
+            left = self._helds(key, run)
+            if not _is_alone(left):
                 end = place.within(run.end, len(place.func.fact.body))
                 yield from self.folder.fold(as_written(key), end)
+            yield from self._meanwhile(key, left, run, place)
+
+    def _makes(self, key: str, run: Run) -> bool:
+        """Whether a method leaves the member, or a part of it, with an object that it made."""
+        return any(held.how in _MADE - _ALONE and held.name != key for held in self._helds(key, run))
+
+    def _meanwhile(self, key: str, left: Sequence[Held], run: Run, place: Env) -> Iterator[Value]:
+        """What methods find that one calls which gives the field something else later, or leaves it to them."""
+        for held in self._shown(key, run):
+            if held in left or held.how in _ALONE:
+                continue
+            if held.how == "value" and held.name == key:
+                yield from self.folder.held.values(held, place)
+            else:
+                yield unknown(key.rpartition(".")[2])
 
     def _is_changed(self, key: str, cls: Cls, env: Env) -> bool:
         """Whether a method gives the field something, or does something to its object other than to make it."""

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections.abc import Iterator, Sequence, Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Member
+from ecm_parsers.source.expr import Call, Constant, Expr, Member, Op
 
 from ecm_extract.infer.bare_names import bare_names
-from ecm_extract.infer.effects import is_within
+from ecm_extract.infer.effect import Effect
+from ecm_extract.infer.effects import Effects, is_within
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.other_names import changed_as_others
+from ecm_extract.infer.pointing import is_address
+from ecm_extract.link.code.overloads import score
 from ecm_extract.link.code.spelling import may_be_written
 from ecm_extract.link.code.units import Func
+from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.left_by_makers import LeftByMakers
 
 if TYPE_CHECKING:
@@ -48,6 +52,33 @@ class ChangedParameters:
             by_name = self.folder.flow.effects(func).may_change(name)
             known = self._changing[key] = by_name or self.is_hidden(func, name)
         return known
+
+    def gives(self, func: Func, name: str) -> bool:
+        """Tell whether a function of C++ may give what its pointer leads to something else.
+
+        `*p = x` is written as `p = x` in its facts.
+        """
+        effects = self.folder.flow.effects(func)
+        sets = (each for each in func.fact.body if each.kind == "set" and effects.key(each.target) == name)
+        given = any(not _is_place(each.value, name, effects) for each in sets)
+        return given or any(each.kind not in {"handed", "reached"} for each in self._on(func, name))
+
+    def hands(self, func: Func, name: str) -> bool:
+        """Tell whether a function of C++ hands its pointer to somebody who is not seen."""
+        return any(self._on(func, name))
+
+    def _on(self, func: Func, name: str) -> Iterator[Effect]:
+        """What calls in a function do to a parameter."""
+        effects = self.folder.flow.effects(func)
+        done = (each for at in range(len(func.fact.body)) for each in effects.of(at))
+        return (each for each in done if each.key == name)
+
+    def rivals(self, call: Call, func: Func, at: int) -> Sequence[Func]:
+        """Return the functions of C++ that a call in a statement may mean as well as the one that it is held to."""
+        env = Env(func, at, this=func.cls)
+        invocation = invocation_of(call, env)
+        first, *others = self.folder.objects.callees(invocation, env) or (None,)
+        return [each for each in others if first is not None and score(invocation, each) == score(invocation, first)]
 
     def may_by(self, call: Call, func: Func, at: int) -> bool:
         """Tell whether a call in a statement of a function, of one of the tree, may change its first argument."""
@@ -127,6 +158,13 @@ class ChangedParameters:
 
     def _is_bound(self, func: Func, name: str) -> bool:
         return any(is_within(key, name) for key in self.folder.flow.outline(func).changes)
+
+
+def _is_place(value: Expr | None, name: str, effects: Effects) -> bool:
+    """Whether a value is another place to point to: an address, none, or a step from where a pointer leads."""
+    moved = isinstance(value, Op | Member) and effects.root(value) == name
+    step = isinstance(value, Op) and value.op in {"+", "-"} and effects.key(value.operands[0]) == name
+    return moved or step or is_address(value) or value == Constant("null")
 
 
 def _methods(func: Func) -> Iterator[tuple[Call, Member]]:
