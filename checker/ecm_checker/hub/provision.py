@@ -35,7 +35,7 @@ class Form(msgspec.Struct, frozen=True, gc=False):
         returns: return type in the same writing, for Python how many values where that is known; else empty.
         names: of the parameters; they count in Python only, where callers may name them.
         virtual: whether a consumer may override it. pure: whether a consumer must.
-        override: whether a base class has it as well.
+        override: whether a base class has it as well; such a form that is not virtual is final.
         deprecated: whether it is marked so.
         line: 1-based.
     """
@@ -49,6 +49,11 @@ class Form(msgspec.Struct, frozen=True, gc=False):
     override: bool = False
     deprecated: bool = False
     line: int = 0
+
+    @property
+    def final(self) -> bool:
+        """Whether it says itself that nobody may override it."""
+        return self.override and not self.virtual
 
     @property
     def text(self) -> str:
