@@ -13,7 +13,7 @@ from ecm_checker.release import Change
 from ecm_extract.diff.alias_targets import retargeted
 from ecm_extract.diff.causes import one_cause
 from ecm_extract.diff.duties import old_duties
-from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks, alters_bytes, no_longer_set, set_now
+from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks, alters_bytes, hidden, no_longer_set, set_now
 from ecm_extract.diff.folding import folded
 from ecm_extract.diff.model import Located, Pair
 from ecm_extract.diff.overriding import with_inherited_virtual
@@ -53,7 +53,7 @@ def _of_pair(pair: Pair, gone: Names, fresh: Names, duties: frozenset[Key]) -> I
             for difference in effect(pair.old, pair.new, pair):
                 yield Located(_record(pair, difference), pair)
     elif pair.old is not None and not _is_covered(pair.old, gone) and not _is_implicit(pair.old):
-        yield Located(_record(pair, _removal(pair.old)), pair)
+        yield Located(_record(pair, _removal(pair.old) if pair.hidden_in is None else hidden(pair.hidden_in)), pair)
     elif pair.new is not None and not _is_covered(pair.new, fresh):
         why = added_breaks(pair.new) if pair.new.key not in duties else None
         yield Located(_record(pair, _addition(pair.new, why)), pair)

@@ -264,6 +264,12 @@ EFFECTS: Final[tuple[Effect, ...]] = (
 )
 
 
+def hidden(node: Provision) -> Difference:
+    """Nothing declares a parameter by its name any more, and its node declares some by names that are not known."""
+    said = f"no longer declared by its name; {node.node or node.owner} declares parameters by names that are not known"
+    return Difference("removed", False, f"{said}, and this may be one of them")
+
+
 def no_longer_set(entity: Provision) -> Difference:
     """A parameter file that no longer sets a value leaves it to the node."""
     reason = "the file no longer sets it: the default of the node counts"

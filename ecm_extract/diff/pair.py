@@ -18,6 +18,7 @@ from ecm_checker.match.hierarchy import Bases
 from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.computed import Computed
 from ecm_extract.diff.file_moves import alone_in_moved_files
+from ecm_extract.diff.hidden_names import HiddenNames
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
 from ecm_extract.diff.moves import GENERATED, Places, best_home, is_reshaped, move_key, tail_of, values_by_place
@@ -80,9 +81,15 @@ class Pairing:
         self._on_their_lines()
         self._renamed(rest)
         self._by_signature()
+        hidden = HiddenNames(self.all_old.values(), self.all_new.values())
         still = StillThere(self.evidence, self.bases, self.owners, self._sent)
         pairs = [msgspec.structs.replace(pair, kept=True) if still.is_bound(pair.old) else pair for pair in self.pairs]
-        removed = [Pair(entity, None) for entity in self.old.values() if not still.is_there(entity)]
+        lost = [(entity, self._module_of(entity)) for entity in self.old.values() if not still.is_there(entity)]
+        removed = [
+            Pair(entity, None, hidden_in=hidden.node_of(entity, module))
+            for entity, module in lost
+            if not hidden.may_be_there(entity, module)
+        ]
         return [*pairs, *removed, *(Pair(None, entity) for entity in self.new.values())]
 
     def take(self, pair: Pair) -> None:
