@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.kinds import kinds_that
-from ecm_checker.hub.provision import Key, Provision
+from ecm_checker.hub.provision import LAUNCHED, Key, Provision
 from ecm_checker.release import Change
 
 from ecm_extract.diff.alias_targets import retargeted
@@ -23,6 +24,7 @@ from ecm_extract.diff.wire import nested_changes, own_changes, wire_note
 from ecm_extract.entities.side import Side
 
 Names = set[tuple[str, str, str, str]]
+NO_LONGER_STARTED: Final = "the launch file no longer starts it: who runs or includes the file is without it"
 
 
 def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
@@ -93,7 +95,7 @@ def _addition(entity: Provision, why: str | None) -> Difference:
 def _removal(entity: Provision) -> Difference:
     if entity.row.sets:
         return no_longer_set(entity)
-    reason = entity.row.gone
+    reason = entity.row.gone if entity.facet != LAUNCHED else NO_LONGER_STARTED
     if entity.deprecated:
         reason = f"{reason}; it was deprecated: {entity.deprecated[:200]}"
     return Difference("removed", True, reason)

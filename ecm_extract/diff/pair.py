@@ -19,6 +19,7 @@ from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.computed import Computed
 from ecm_extract.diff.file_moves import alone_in_moved_files
 from ecm_extract.diff.hidden_names import HiddenNames
+from ecm_extract.diff.launched import NoLongerStarted
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
 from ecm_extract.diff.moves import GENERATED, Places, best_home, is_reshaped, move_key, tail_of, values_by_place
@@ -118,12 +119,15 @@ class Pairing:
         return self._parts.may_be_one(old, new) and not (old.row.symbol and last_part(old.name) in names)
 
     def _nodes(self) -> None:
-        """Nodes under another name, or made by something else; a launch file that starts other ones is no change."""
+        """Nodes under another name, made by something else, or that a launch file no longer starts."""
         for found in list(node_pairs(self.old.values(), self.new.values(), self._known())):
             self.take(found)
+        started = NoLongerStarted(self.all_old.values(), self.all_new.values(), self.owners)
         for side in (self.old, self.new):
             for entity in list(side.values()):
-                if entity.name == HOLE or (entity.row.runs and entity.facet == LAUNCHED):
+                is_launched = entity.row.runs and entity.facet == LAUNCHED
+                is_lost = is_launched and side is self.old and started.is_lost(entity, self._module_of(entity)[0])
+                if entity.name == HOLE or (is_launched and not is_lost):
                     side.pop(entity.key)
 
     def _settings(self) -> None:

@@ -74,7 +74,8 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
         type: message type, parameter type, field type, or base class of a plugin.
         default: of a parameter, constant or launch argument, as data.
         forms: of a function or method.
-        bases: of a class, qualified as far as the tree shows; of a node that a launch file names, what it runs.
+        bases: of a class, qualified as far as the tree shows; of a node that a launch file names, what it runs;
+            of a launch file, the programs, components and files of packages that it runs and includes.
         given: to each of its bases, the template arguments as `forms` write types; empty where none has any.
         qos: of a topic. ros: 1, 2 or None.
         deprecated: what its own source says about its end; None when it is not deprecated.
