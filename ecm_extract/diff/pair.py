@@ -272,7 +272,9 @@ class Pairing:
     def _on_their_lines(self) -> None:
         """What stands in the very line of an old name is that, however it is called."""
         for found in list(same_lines(self.old.values(), self.new.values(), self.evidence.files)):
-            self.take(found)
+            old, new = found.old, found.new
+            if old is None or new is None or not old.row.part or self.owners.get(old.owner, old.owner) == new.owner:
+                self.take(found)
 
     def _renamed(self, wanted: set[str]) -> None:
         groups: dict[object, tuple[list[Provision], list[Provision]]] = defaultdict(lambda: ([], []))
