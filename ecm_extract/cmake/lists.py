@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 
 def items(text: str) -> list[str]:
     """Return all items of a list, empty ones too (CMP0007); an empty text has none."""
@@ -15,6 +17,11 @@ def items(text: str) -> list[str]:
 def arguments(text: str) -> list[str]:
     """Return what an unquoted argument stands for: items that are not empty."""
     return [item for item in items(text) if item]
+
+
+def all_items(texts: Iterable[str]) -> list[str]:
+    """Return what texts stand for where quotes keep no list together, as the sources of a target."""
+    return [item for text in texts for item in arguments(text)]
 
 
 def _split(text: str) -> list[str]:

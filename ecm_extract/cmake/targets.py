@@ -15,6 +15,7 @@ from ecm_extract.cmake.files import BuildFiles, absolute
 from ecm_extract.cmake.genex import decided, has_genex, objects_used, without_objects
 from ecm_extract.cmake.include_folders import include_folders
 from ecm_extract.cmake.keywords import first, split
+from ecm_extract.cmake.lists import all_items
 from ecm_extract.cmake.state import both, either
 from ecm_extract.cmake.values import is_known
 
@@ -192,7 +193,7 @@ def _grow(target: _Growing, call: Call) -> None:
             # Before 3.13 a path is relative to the folder of the target, not of the call (CMP0076).
             folder = call.folder if call.is_relative_here else target.call.folder
             place = msgspec.structs.replace(call, folder=folder, path=target.call.path)
-            given = _added(texts[1:])
+            given = all_items(_added(texts[1:]))
             target.links += objects_used(given)
             target.given += [absolute(text, folder) for text in _for_users(texts[1:])]
             items = decided(without_objects(given))
@@ -201,7 +202,7 @@ def _grow(target: _Growing, call: Call) -> None:
             target.sources.add(added, relative)
             target.sources.is_open |= any(map(_is_open, items))
     elif call.name == "set_property":
-        sources = split(call.texts, frozenset({"SOURCES"}))["SOURCES"]
+        sources = all_items(split(call.texts, frozenset({"SOURCES"}))["SOURCES"])
         target.sources.add(_sources(decided(sources), call), call.by_default)
         target.sources.is_open |= any(map(_is_open, sources)) or "APPEND" not in call.args
     elif call.name == "target_include_directories":
@@ -283,6 +284,7 @@ def _ordinary(call: Call, texts: tuple[str, ...], kind: TargetKind, files: Build
 
 
 def _target(call: Call, name: str, kind: TargetKind, given: list[str]) -> Target:
+    given = all_items(given)
     sources = decided(without_objects(given))
     return Target(
         name=call.word(name),

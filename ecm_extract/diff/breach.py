@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ecm_checker.finding import Certainty
-from ecm_checker.hub.provision import Form
+from ecm_checker.hub.provision import Form, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import HEADER, SYMBOL, Consumer
 from ecm_checker.match.fit import AGAIN, FORM, NAMES, is_future, misfit
@@ -13,6 +13,7 @@ from ecm_checker.match.fit import AGAIN, FORM, NAMES, is_future, misfit
 from ecm_extract.diff.broken_names import GONE, BrokenNames
 from ecm_extract.diff.effects import placed
 from ecm_extract.diff.model import Located
+from ecm_extract.diff.overriding import no_longer_overridable
 
 
 def breach(requirement: Requirement, consumer: Consumer, located: Located, broken: BrokenNames) -> Certainty | None:
@@ -113,6 +114,13 @@ def _no_longer_fits(requirement: Requirement, located: Located) -> bool:
     if requirement.row.fit == NAMES and requirement.given is not None:
         # `**kwargs` may hand it on to what refuses it, so a name that was told and is not any more is lost
         return not _told(old.forms).intersection(requirement.given.names) <= _told(new.forms)
+    if requirement.row.fit == FORM and requirement.given is not None:
+        closed = {form.types for form in no_longer_overridable(old, new)}
+        return requirement.given.types in closed or _is_refused(requirement, old, new)
+    return _is_refused(requirement, old, new)
+
+
+def _is_refused(requirement: Requirement, old: Provision, new: Provision) -> bool:
     return misfit(requirement, old) is None and misfit(requirement, new) is not None
 
 

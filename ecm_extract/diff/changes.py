@@ -3,35 +3,40 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.kinds import kinds_that
-from ecm_checker.hub.provision import Key, Provision
+from ecm_checker.hub.provision import LAUNCHED, Key, Provision
 from ecm_checker.release import Change
 
+from ecm_extract.diff.alias_targets import retargeted
 from ecm_extract.diff.causes import one_cause
 from ecm_extract.diff.duties import old_duties
-from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks, alters_bytes, no_longer_set, set_now
+from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks, alters_bytes, hidden, no_longer_set, set_now
 from ecm_extract.diff.folding import folded
 from ecm_extract.diff.model import Located, Pair
+from ecm_extract.diff.overriding import with_inherited_virtual
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.wholes import wholes_of
 from ecm_extract.diff.wire import nested_changes, own_changes, wire_note
 from ecm_extract.entities.side import Side
 
 Names = set[tuple[str, str, str, str]]
+NO_LONGER_STARTED: Final = "the launch file no longer starts it: who runs or includes the file is without it"
 
 
 def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
     """Return all changes, most breaking first within each package."""
-    listed = list(pairs)
+    listed = list(with_inherited_virtual(pairs, new.entities))
     gone = {pair.old.key[:4] for pair in listed if pair.old is not None and pair.new is None}
     fresh = {pair.new.key[:4] for pair in listed if pair.new is not None and pair.old is None}
     duties = old_duties((pair.new for pair in listed if pair.new is not None and pair.old is None), old)
     found = [located for pair in listed for located in _of_pair(pair, gone, fresh, duties)]
     found += [_nested(pair, path) for pair, path in nested_changes(listed, old, new)]
     found += [_otherwise(pair, how) for pair, how in own_changes(listed, _altered(found), old, new)]
+    found += [_for_another(*each) for each in retargeted(listed, old.entities, new.entities)]
     told = [_with_successor(_with_wire(located, old, new), new) for located in found]
     return sorted(folded(one_cause(told, new)), key=_order)
 
@@ -50,7 +55,7 @@ def _of_pair(pair: Pair, gone: Names, fresh: Names, duties: frozenset[Key]) -> I
             for difference in effect(pair.old, pair.new, pair):
                 yield Located(_record(pair, difference), pair)
     elif pair.old is not None and not _is_covered(pair.old, gone) and not _is_implicit(pair.old):
-        yield Located(_record(pair, _removal(pair.old)), pair)
+        yield Located(_record(pair, _removal(pair.old) if pair.hidden_in is None else hidden(pair.hidden_in)), pair)
     elif pair.new is not None and not _is_covered(pair.new, fresh):
         why = added_breaks(pair.new) if pair.new.key not in duties else None
         yield Located(_record(pair, _addition(pair.new, why)), pair)
@@ -90,7 +95,7 @@ def _addition(entity: Provision, why: str | None) -> Difference:
 def _removal(entity: Provision) -> Difference:
     if entity.row.sets:
         return no_longer_set(entity)
-    reason = entity.row.gone
+    reason = entity.row.gone if entity.facet != LAUNCHED else NO_LONGER_STARTED
     if entity.deprecated:
         reason = f"{reason}; it was deprecated: {entity.deprecated[:200]}"
     return Difference("removed", True, reason)
@@ -156,6 +161,13 @@ def _altered(found: Iterable[Located]) -> frozenset[str]:
 def _otherwise(pair: Pair, how: str) -> Located:
     return Located(
         _record(pair, Difference("signature_changed", True, f"{how}: rebuild both sides", "signature")), pair
+    )
+
+
+def _for_another(pair: Pair, before: str, after: str) -> Located:
+    reason = f"it stood for {before} and stands for {after} now: who uses it gets another class"
+    return Located(
+        _record(pair, Difference("type_changed", True, reason, "signature", old_value=before, new_value=after)), pair
     )
 
 

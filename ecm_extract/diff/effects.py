@@ -16,6 +16,7 @@ from ecm_extract.diff.conversions import returns_as_well, takes
 from ecm_extract.diff.deduced import deduced
 from ecm_extract.diff.keyword_only import has_keyword_only, takes_keywords
 from ecm_extract.diff.model import Pair
+from ecm_extract.diff.overriding import no_longer_overridable
 from ecm_extract.diff.similarity import words
 
 _RELIABILITY: Final = ("best_effort", "reliable")
@@ -177,6 +178,14 @@ def signature_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Di
         yield Difference("deprecated", False, f"{fresh[0].text} is marked deprecated; use {others}"[:400])
 
 
+def no_longer_virtual(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
+    """A method that classes overrode, and that they only hide now; see `with_inherited_virtual`."""
+    for form in no_longer_overridable(old, new) if pair.how != "renamed" else ():
+        reason = "no longer virtual" if not form.final else "final now"
+        said = f"{form.text} is {reason}: who overrides it no longer builds, or is no longer called"
+        yield Difference("signature_changed", True, said[:400], old_value=f"virtual {form.text}", new_value=form.text)
+
+
 def _copies(form: Form, name: str) -> bool:
     return form.types in {(f"const {name}&",), (f"{name}&&",)}
 
@@ -250,8 +259,15 @@ EFFECTS: Final[tuple[Effect, ...]] = (
     qos_changed,
     latch_changed,
     signature_changed,
+    no_longer_virtual,
     deprecated,
 )
+
+
+def hidden(node: Provision) -> Difference:
+    """Nothing declares a parameter by its name any more, and its node declares some by names that are not known."""
+    said = f"no longer declared by its name; {node.node or node.owner} declares parameters by names that are not known"
+    return Difference("removed", False, f"{said}, and this may be one of them")
 
 
 def no_longer_set(entity: Provision) -> Difference:

@@ -25,6 +25,7 @@ class Pair(msgspec.Struct, frozen=True):
         how: why the two are one.
         confidence: 0 to 1. reason: for people, empty for the same key.
         kept: whether the old name still stands for it.
+        hidden_in: node of the new side that may have what is gone, under a name that is not known.
     """
 
     old: Provision | None
@@ -33,6 +34,7 @@ class Pair(msgspec.Struct, frozen=True):
     confidence: float = 1.0
     reason: str = ""
     kept: bool = False
+    hidden_in: Provision | None = None
 
 
 class Located(msgspec.Struct, frozen=True):

@@ -18,6 +18,8 @@ from ecm_checker.match.hierarchy import Bases
 from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.computed import Computed
 from ecm_extract.diff.file_moves import alone_in_moved_files
+from ecm_extract.diff.hidden_names import HiddenNames
+from ecm_extract.diff.launched import NoLongerStarted
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
 from ecm_extract.diff.moves import GENERATED, Places, best_home, is_reshaped, move_key, tail_of, values_by_place
@@ -80,9 +82,15 @@ class Pairing:
         self._on_their_lines()
         self._renamed(rest)
         self._by_signature()
+        hidden = HiddenNames(self.all_old.values(), self.all_new.values())
         still = StillThere(self.evidence, self.bases, self.owners, self._sent)
         pairs = [msgspec.structs.replace(pair, kept=True) if still.is_bound(pair.old) else pair for pair in self.pairs]
-        removed = [Pair(entity, None) for entity in self.old.values() if not still.is_there(entity)]
+        lost = [(entity, self._module_of(entity)) for entity in self.old.values() if not still.is_there(entity)]
+        removed = [
+            Pair(entity, None, hidden_in=hidden.node_of(entity, module))
+            for entity, module in lost
+            if not hidden.may_be_there(entity, module)
+        ]
         return [*pairs, *removed, *(Pair(None, entity) for entity in self.new.values())]
 
     def take(self, pair: Pair) -> None:
@@ -111,12 +119,15 @@ class Pairing:
         return self._parts.may_be_one(old, new) and not (old.row.symbol and last_part(old.name) in names)
 
     def _nodes(self) -> None:
-        """Nodes under another name, or made by something else; a launch file that starts other ones is no change."""
+        """Nodes under another name, made by something else, or that a launch file no longer starts."""
         for found in list(node_pairs(self.old.values(), self.new.values(), self._known())):
             self.take(found)
+        started = NoLongerStarted(self.all_old.values(), self.all_new.values(), self.owners)
         for side in (self.old, self.new):
             for entity in list(side.values()):
-                if entity.name == HOLE or (entity.row.runs and entity.facet == LAUNCHED):
+                is_launched = entity.row.runs and entity.facet == LAUNCHED
+                is_lost = is_launched and side is self.old and started.is_lost(entity, self._module_of(entity)[0])
+                if entity.name == HOLE or (is_launched and not is_lost):
                     side.pop(entity.key)
 
     def _settings(self) -> None:
@@ -261,7 +272,9 @@ class Pairing:
     def _on_their_lines(self) -> None:
         """What stands in the very line of an old name is that, however it is called."""
         for found in list(same_lines(self.old.values(), self.new.values(), self.evidence.files)):
-            self.take(found)
+            old, new = found.old, found.new
+            if old is None or new is None or not old.row.part or self.owners.get(old.owner, old.owner) == new.owner:
+                self.take(found)
 
     def _renamed(self, wanted: set[str]) -> None:
         groups: dict[object, tuple[list[Provision], list[Provision]]] = defaultdict(lambda: ([], []))

@@ -16,6 +16,7 @@ from ecm_extract.diff.broken_names import BrokenNames
 from ecm_extract.diff.changes import changes_of
 from ecm_extract.diff.consumers import uses_of
 from ecm_extract.diff.git_renames import renamed_files
+from ecm_extract.diff.hidden_names import hiding_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Pairing
@@ -83,7 +84,7 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
     theirs = [(each, _uses(each, request, parsed, broken)) for each in request.consumers]
     findings = findings_of([*own, *(use for _, uses in theirs for use in uses)])
     changes = tuple(entry.change for entry in located)
-    unread = unread_between(request, old, new)
+    unread = (*unread_between(request, old, new), *hiding_files(located))
     return Comparison(
         repo=request.name,
         old=request.infos[0],

@@ -50,7 +50,7 @@ def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> Pr
     """Return what a module offers by an endpoint; None for what only asks, and for names that are wholly computed."""
     row = roles()[entry.role]
     name = comparable_name(entry)
-    if not row.provides or not re.search(r"\w", name.replace(HOLE, "")):
+    if not row.provides or is_wholly_computed(entry):
         return None
     if row.channel is not None and not _NAME.fullmatch(name.replace(HOLE, "")):
         return None  # the default says that a value must be given: `<undefined>`
@@ -72,6 +72,11 @@ def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> Pr
         when=entry.when,
         needed=entry.needed,
     )
+
+
+def is_wholly_computed(entry: Interface) -> bool:
+    """Whether no letter of the name of an endpoint is known."""
+    return not re.search(r"\w", comparable_name(entry).replace(HOLE, ""))
 
 
 def _node_of(entry: Interface) -> str | None:

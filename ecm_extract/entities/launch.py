@@ -13,7 +13,9 @@ from ecm_parsers.launch.templates import all_actions, written
 
 from ecm_extract.entities.launch_conditions import arguments, taken
 from ecm_extract.entities.launch_reads import is_open, reads
+from ecm_extract.entities.launch_runs import runs_of
 from ecm_extract.entities.nodes import launched_nodes
+from ecm_extract.entities.paths import inside
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file, read_launch
@@ -28,7 +30,8 @@ def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFil
     for path, file in launches:
         name = PurePosixPath(path).name
         base = Provision(kind="launch_argument", package=facts.name, owner=name, name="", path=path, line=1)
-        yield msgspec.structs.replace(base, kind="launch_file", owner="", name=name, open=is_open(file))
+        runs = runs_of(file, facts.name, inside(path, facts.root.path))
+        yield msgspec.structs.replace(base, kind="launch_file", owner="", name=name, bases=runs, open=is_open(file))
         yield from launched_nodes(facts, path, name, file.actions)
         for each in taken(file.actions):
             argument = each.action

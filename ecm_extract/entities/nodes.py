@@ -11,13 +11,17 @@ from ecm_checker.hub.provision import HOLE, LAUNCHED, Provision
 from ecm_parsers.launch.model import Action, Node
 from ecm_parsers.launch.templates import plain_text
 
+from ecm_extract.entities.endpoints import is_wholly_computed
 from ecm_extract.entities.launch_conditions import taken
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
 
 def node_entities(facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[Provision]:
-    """Yield the node of each class and program; its owner is what makes it, one whose name is computed is `<*>`."""
+    """Yield the node of each class and program; its owner is what makes it, one whose name is computed is `<*>`.
+
+    It is open where it declares parameters of whose names nothing is known.
+    """
     for entry in modules:
         module = entry.module
         if module.cls is None and module.main is None:
@@ -32,6 +36,7 @@ def node_entities(facts: PackageFacts, modules: Sequence[LinkedModule]) -> Itera
             ros=facts.ros,
             path=at.path if at is not None else module.path,
             line=at.line if at is not None else module.line,
+            open=any(is_wholly_computed(each) for each in entry.interfaces if each.row.value),
         )
 
 

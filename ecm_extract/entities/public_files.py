@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
-from ecm_parsers.cmake_facts import FileReference, Install
+from ecm_parsers.cmake_facts import FileReference
 
+from ecm_extract.entities.include_folders import may_hold_headers, passed_over
 from ecm_extract.entities.installed_packages import InstalledPackages
 from ecm_extract.entities.paths import inside
 from ecm_extract.entities.program_files import of_programs, script_modules
@@ -22,7 +23,8 @@ def public_headers(facts: PackageFacts) -> dict[str, str]:
     """Return the path of each public header with what a consumer writes in its `#include`.
 
     Public is what lies below the package's `include/`, or what the build files install; nothing below `include/`
-    is when they install much else and never that. What only programs have the code of is not: nobody can link it.
+    is when they install much else and never that, nor one of several such folders that they pass over. What only
+    programs have the code of is not: nobody can link it.
     """
     installed = _installed_headers(facts)
     kept_back = _keeps_headers(facts)
@@ -36,8 +38,8 @@ def public_headers(facts: PackageFacts) -> dict[str, str]:
             found[entry.path] = include
         elif entry.path in installed:
             found[entry.path] = f"{facts.name}/{parts[-1]}"
-    unlinked = of_programs(facts)
-    return {path: include for path, include in found.items() if path not in unlinked}
+    hidden = of_programs(facts) | (passed_over(facts, found) - installed)
+    return {path: include for path, include in found.items() if path not in hidden}
 
 
 def _keeps_headers(facts: PackageFacts) -> bool:
@@ -49,15 +51,7 @@ def _keeps_headers(facts: PackageFacts) -> bool:
     if not installs:
         told = [each for file in facts.cmake.values() for each in file.commands if each.name == "catkin_package"]
         return bool(told) and not any(_HEADERS in each.args for each in told)
-    return not any(_may_hold_headers(entry) for entry in installs if entry.kind in {"directory", "files"})
-
-
-def _may_hold_headers(rule: Install) -> bool:
-    """Whether a rule installs headers, or what only CMake knows to where they could be found."""
-    if any("include" in text.lower() for text in (*rule.items, rule.destination)):
-        return True
-    anywhere = "$" in rule.destination or rule.destination.strip("/.") == ""
-    return anywhere and any("$" in text for text in (*rule.items, rule.destination))
+    return not any(may_hold_headers(entry) for entry in installs if entry.kind in {"directory", "files"})
 
 
 def _below_include(path: str) -> str | None:

@@ -11,6 +11,8 @@ from typing import Final
 from ecm_checker.hub.provision import Form
 from ecm_parsers.source.facts import Function, Parameter
 
+_VIRTUAL: Final = frozenset({"virtual", "override", "pure"})
+_FINAL: Final = "final"
 _NOTHING: Final[Mapping[str, str]] = MappingProxyType({})
 _NAME = re.compile(r"\b[A-Za-z_]\w*\b")
 _QUALIFIER = re.compile(r"(?<![\w:])(?:\w+::)+")
@@ -85,9 +87,9 @@ def form_of(function: Function, virtual: bool = False, templates: Mapping[str, s
         required=required,
         returns=written_type(function.returns, templates),
         names=tuple(entry.name for entry in params),
-        virtual=virtual or not {"virtual", "override", "pure"}.isdisjoint(function.traits),
+        virtual=_FINAL not in function.traits and (virtual or not _VIRTUAL.isdisjoint(function.traits)),
         pure="pure" in function.traits,
-        override="override" in function.traits,
+        override="override" in function.traits or (_FINAL in function.traits and "virtual" not in function.traits),
         deprecated="deprecated" in function.traits or any("eprecat" in text for text in function.decorators),
         line=function.line,
     )

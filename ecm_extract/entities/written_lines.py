@@ -20,6 +20,9 @@ _PARTS: Final = re.compile(r"[/.:~]+")
 _TELLING: Final = re.compile(r"[\w\]>)]\s*=[^=]|[&:]\w+::\w+|self\.\w+|\bbind\b|\[[&=\w, ]*\]\s*\(|\bthis->\w+")
 """What a line assigns, or hands on, tells it from its like; a bare call does not."""
 
+_PLAIN: Final = re.compile(r"=\s*([\"'])(?:[Tt]rue|[Ff]alse|[-+.\d]*|<\*>)\1")
+"""A number or truth value that an attribute or argument has, as many do, or the name itself."""
+
 
 def with_lines(tree: Tree, entities: Sequence[Provision]) -> Iterator[Provision]:
     """Yield the entities, those that a telling line declares by a literal name with the hash of that line."""
@@ -30,7 +33,7 @@ def with_lines(tree: Tree, entities: Sequence[Provision]) -> Iterator[Provision]
         else:
             yield entity
     for path, data in _contents(tree, wanted):
-        lines = [text.strip() for text in data.decode("utf-8", "replace").splitlines()]
+        lines = [" ".join(text.split()) for text in data.decode("utf-8", "replace").splitlines()]
         for entity in wanted[path]:
             yield msgspec.structs.replace(entity, written=_written(entity, lines))
 
@@ -52,5 +55,6 @@ def _written(entity: Provision, lines: Sequence[str]) -> str:
         text = f"{text} {line}" if text else line
         holed = name.sub(HOLE, text)
         if holed != text:
-            return hashlib.sha256(holed.encode()).hexdigest()[:16] if _TELLING.search(holed) else ""
+            is_telling = _TELLING.search(_PLAIN.sub("", holed))
+            return hashlib.sha256(holed.encode()).hexdigest()[:16] if is_telling else ""
     return ""

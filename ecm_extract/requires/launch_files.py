@@ -6,10 +6,8 @@ in it is nobody's until the launch is evaluated: its parts that are known only a
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import PurePosixPath
-from posixpath import normpath
 from typing import Final
 
 import msgspec
@@ -28,10 +26,11 @@ from ecm_parsers.launch.model import (
     Remap,
 )
 from ecm_parsers.launch.templates import holed, plain_text, written
-from ecm_parsers.template import Substitution, Template
+from ecm_parsers.template import Template
 
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.launch_conditions import conditions_of, together
+from ecm_extract.entities.launch_targets import FOUND, OUTSIDE, included_file
 from ecm_extract.entities.paths import inside
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
@@ -40,13 +39,8 @@ from ecm_extract.requires.name_lines import line_of_name
 from ecm_extract.requires.place import Place, required
 from ecm_extract.requires.xacro_commands import given_to_descriptions
 
-_FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
-"""A file of a package: the package, the folders, the name, which stands there as a whole."""
 _STARTS: Final = "starts"
 _ROS_2: Final = 2
-_ABOVE: Final = ".."
-_OUTSIDE: Final = "/../"
-"""Of folders that lead out of the package that is named."""
 MANAGED: Final = "node_names"
 """Parameter by which a lifecycle manager is told its nodes (nav2_lifecycle_manager, nav2_util)."""
 _BELOW_NODE: Final = 2
@@ -129,7 +123,7 @@ def _of_action(action: Action, scope: _Scope) -> Iterator[Requirement]:
 def _of_include(action: Include, scope: _Scope) -> Iterator[Requirement]:
     place = scope.place(action.line)
     given = Given(names=tuple(name for name, _ in action.arguments), forwarded=action.pass_all)
-    target = _target(action.path, scope)
+    target = included_file(action.path, scope.package, scope.own)
     if target is None:
         yield required("includes_launch", holed(action.path), place, "unknown", given=given)
         return
@@ -144,19 +138,6 @@ def _of_include(action: Include, scope: _Scope) -> Iterator[Requirement]:
         inner = scope.inside(condition)
         if inner is not None:
             yield inner.under(required("gives_argument", name, scope.place(line), package=package, owner=file))
-
-
-def _target(written_path: Template, scope: _Scope) -> tuple[str, str] | None:
-    """The package of an included file and its path from there; a folder may hold what only the launch knows."""
-    first = written_path[0] if written_path else None
-    if isinstance(first, Substitution) and first.kind == "dirname":
-        below = plain_text(written_path[1:])
-        path = normpath(f"{PurePosixPath(scope.own).parent}/{below}") if below else _ABOVE
-        return None if path.startswith(_ABOVE) else (scope.package, path)
-    found = _FOUND.search(written(written_path))
-    if found is None or _OUTSIDE in found[2]:
-        return None
-    return found[1], f"{found[2].lstrip('/')}{found[3]}"
 
 
 def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:
@@ -243,8 +224,8 @@ def _listed(value: object) -> Iterator[str]:
 
 
 def _of_file(path: Template, place: Place) -> Iterator[Requirement]:
-    found = _FOUND.search(written(path))
-    if found is not None and _OUTSIDE not in found[2]:
+    found = FOUND.search(written(path))
+    if found is not None and OUTSIDE not in found[2]:
         name = f"{found[2].lstrip('/')}{found[3]}"
         yield required("reads_file", name, place, package=found[1])
 

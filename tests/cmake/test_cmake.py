@@ -43,6 +43,7 @@ def test_project() -> None:
         ("add_library(n SHARED ./src/a.cpp)", "n", "library", ("src/a.cpp",)),
         ("add_library(n INTERFACE)", "n", "interface", ()),
         ("project(p)\nadd_library(${PROJECT_NAME}_core a.cc)", "p_core", "library", ("a.cc",)),
+        ('set(S a.cpp b.cpp)\nadd_library(n "${S}")', "n", "library", ("a.cpp", "b.cpp")),
         (
             "set(S a.cpp b.cpp)\nlist(APPEND S c.cpp)\nadd_executable(n ${S})",
             "n",

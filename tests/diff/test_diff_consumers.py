@@ -146,3 +146,21 @@ def test_a_file_that_came_with_a_release_forgets_no_computed_name(
     changes = [(each["change"], each["old"]) for each in found["changes"] if each["kind"] == "parameter"]
     assert changes == [("removed", "/<*>/rate")]
     assert bool(lines(found["findings"], path)) is forgotten
+
+
+@pytest.mark.parametrize(("word", "expected"), [("", [3]), ("virtual ", [])])
+def test_who_overrides_what_is_no_longer_virtual(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], word: str, expected: list[int]
+) -> None:
+    """Told on the line of the overriding method; a form of other parameters that stays so breaks nobody."""
+    repo, user = tmp_path / "lib", tmp_path / "user"
+    for tag, before in (("1.0.0", "virtual "), ("2.0.0", word)):
+        base = f"class Base {{ public: {before}void start(int id); virtual void start(bool b); {before}void stop(); }};"
+        header = f"#pragma once\nnamespace lib {{\n{base}\n}}\n"
+        release(repo, {"package.xml": package("lib", tag), "include/lib/base.hpp": header}, tag)
+    heir = (
+        "#include <lib/base.hpp>\nclass Heir : public lib::Base {\n"
+        "  void start(int id) override;\n  void start(bool b) override;\n};\n"
+    )
+    write(user, {"package.xml": package("user"), "src/a.cpp": heir})
+    assert lines(findings(capsys, repo, user), "src/a.cpp") == expected

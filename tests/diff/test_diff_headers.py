@@ -104,6 +104,29 @@ TOLD = {
         _class("template <class T = Other> static std::shared_ptr<T> make(int id);"),
         {("method", "signature_changed", "make", "make")},
     ),
+    "a method that nobody may override now": (
+        _class("virtual void start(int id);", "virtual void stop();"),
+        _class("void start(int id);", "void stop();", "virtual void stop(bool hard);"),
+        {
+            ("method", "signature_changed", "start", "start"),
+            ("method", "signature_changed", "stop", "stop"),
+        },
+    ),
+    "a method that is final now": (
+        _header("class Base { public: virtual void a(); };", "class Arm : public Base { public: void a() override; };"),
+        _header("class Base { public: virtual void a(); };", "class Arm : public Base { public: void a() final; };"),
+        {("method", "signature_changed", "a", "a")},
+    ),
+    "an alias of another class": (
+        _header("class Box { public: int a; };", "class Bag { public: int a; };", "using Best = Box;"),
+        _header("class Box { public: int a; };", "class Bag { public: int a; };", "using Best = Bag;"),
+        {("class", "type_changed", "arm::Best", "arm::Best")},
+    ),
+    "an alias of a template with another argument": (
+        _header("template <class T> class Box { public: int a; };", "typedef Box<int> Best;"),
+        _header("template <class T> class Box { public: int a; };", "typedef Box<double> Best;"),
+        {("class", "type_changed", "arm::Best", "arm::Best")},
+    ),
     "a class behind a macro with comments": (
         _header(
             "#define BOTH() \\",
@@ -167,6 +190,28 @@ QUIET = {
     "a template whose parameter is the class by default": (
         _class("static std::shared_ptr<Driver> make(int id);"),
         _class("template <class T = Driver> static std::shared_ptr<T> make(int id);"),
+    ),
+    "a method that a base says to be virtual": (
+        _header(
+            "class Base { public: virtual void a(); };",
+            "class Arm : public Base, public other::Base { public: virtual void a(); virtual void b(); };",
+        ),
+        _header(
+            "class Base { public: virtual void a(); };",
+            "class Arm : public Base, public other::Base { public: void a(); void b(); };",
+        ),
+    ),
+    "a method that was and is final": (
+        _header("class Arm : public Base { public: virtual void a() final; void b() final; };"),
+        _header("class Arm : public Base { public: void a() final; virtual void b() final; };"),
+    ),
+    "an alias of a class that derives from the one before": (
+        _header("class Box { public: int a; };", "using Best = Box;"),
+        _header("class Box { public: int a; };", "class Crate : public Box {};", "using Best = Crate;"),
+    ),
+    "an alias of a class that has another name as well": (
+        _header("class Box { public: int a; };", "using Best = Box;"),
+        _header("class Crate { public: int a; };", "using Box = Crate;", "using Best = arm::Crate;"),
     ),
     "an empty body with a stray semicolon": (
         _class("void stop();"),

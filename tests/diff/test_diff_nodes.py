@@ -73,7 +73,7 @@ def test_a_launch_file_that_starts_another_program(told) -> None:  # type: ignor
     """Another node, not another name."""
     new = LAUNCH.replace("%s", "hand").replace('exec="arm"', 'exec="hand"')
     found = told({"arm/launch/arm.launch.xml": LAUNCH.replace("%s", "arm")}, {"arm/launch/arm.launch.xml": new})
-    assert not [entry for entry in found if entry[0] == "node"]
+    assert [entry for entry in found if entry[0] == "node"] == [("node", "removed", "arm", None)]
 
 
 POLICY = """<policy version="0.2.0"><enclaves><enclave path="/"><profiles>

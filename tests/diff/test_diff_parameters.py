@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from diff_repos import package
+from diff_repos import node, package
 
 CFG = """#!/usr/bin/env python
 from dynamic_reconfigure.parameter_generator_catkin import *
@@ -54,3 +54,24 @@ def test_a_name_behind_a_place_that_is_computed(changes, name: str, is_told: boo
     read = f"place = sys.argv[1]\nrospy.get_param({name}, 1)"
     found = changes(old, {"arm/arm.py": SCRIPT % read})
     assert any(each["breaking"] for each in found) is is_told
+
+
+COMPUTED = "declare_parameter(read_name(), 1);"
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "breaking"),
+    [
+        (('declare_parameter("rate", 1);',), (COMPUTED,), [False]),
+        (('declare_parameter("rate", 1);', COMPUTED), (COMPUTED,), [True]),
+        (('declare_parameter("rate", 1);',), ('declare_parameter("slow_" + read_name(), 1);',), [True]),
+        (('declare_parameter("limits.rate", 1);',), ('declare_parameter("limits." + read_name(), 1);',), []),
+    ],
+)
+def test_a_name_that_is_computed_now(
+    changes, before: tuple[str, ...], after: tuple[str, ...], breaking: list[bool]
+) -> None:  # type: ignore[no-untyped-def]
+    """What is declared by a name that is not known may be what is gone, and one that fits a pattern is there."""
+    files = {"arm/package.xml": package("arm"), "arm/CMakeLists.txt": CMAKE}
+    found = changes({**files, "arm/src/arm.cpp": node(*before)}, {"arm/src/arm.cpp": node(*after)})
+    assert [each["breaking"] for each in found if each["change"] == "removed"] == breaking

@@ -318,3 +318,15 @@ def test_sides_that_parted(full: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert note in capsys.readouterr().err
     run(["diff", "1.0.0", "1.1.0", "--repo", str(full)])
     assert "note:" not in capsys.readouterr().err
+
+
+def test_names_that_are_computed_now(tmp_path: Path, diff: Diff) -> None:
+    """A release whose node declares by names that are not known is not told to be compatible."""
+    folder = tmp_path / "arm"
+    for tag, line in (("1.0.0", 'declare_parameter("rate", 1);'), ("1.1.0", "declare_parameter(read_name(), 1);")):
+        cmake = "project(arm)\nadd_executable(arm src/arm.cpp)\n"
+        files = {"package.xml": package("arm", tag), "CMakeLists.txt": cmake, "src/arm.cpp": node(line)}
+        release(folder, files, tag)
+    _, document = diff(folder)
+    assert document["verdict"]["compatibility_class"] == "unknown"
+    assert limiting(document) == {("src/arm.cpp", "unfollowed", "new")}

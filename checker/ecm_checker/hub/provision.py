@@ -35,7 +35,7 @@ class Form(msgspec.Struct, frozen=True, gc=False):
         returns: return type in the same writing, for Python how many values where that is known; else empty.
         names: of the parameters; they count in Python only, where callers may name them.
         virtual: whether a consumer may override it. pure: whether a consumer must.
-        override: whether a base class has it as well.
+        override: whether a base class has it as well; such a form that is not virtual is final.
         deprecated: whether it is marked so.
         line: 1-based.
     """
@@ -49,6 +49,11 @@ class Form(msgspec.Struct, frozen=True, gc=False):
     override: bool = False
     deprecated: bool = False
     line: int = 0
+
+    @property
+    def final(self) -> bool:
+        """Whether it says itself that nobody may override it."""
+        return self.override and not self.virtual
 
     @property
     def text(self) -> str:
@@ -69,7 +74,8 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
         type: message type, parameter type, field type, or base class of a plugin.
         default: of a parameter, constant or launch argument, as data.
         forms: of a function or method.
-        bases: of a class, qualified as far as the tree shows; of a node that a launch file names, what it runs.
+        bases: of a class, qualified as far as the tree shows; of a node that a launch file names, what it runs;
+            of a launch file, the programs, components and files of packages that it runs and includes.
         given: to each of its bases, the template arguments as `forms` write types; empty where none has any.
         qos: of a topic. ros: 1, 2 or None.
         deprecated: what its own source says about its end; None when it is not deprecated.

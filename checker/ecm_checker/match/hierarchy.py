@@ -66,13 +66,13 @@ class Bases:
     def constructor(self, cls: str) -> Provision | None:
         """Return the constructor of the class that an alias stands for; None of a class, which has its own."""
         given = dict(self._lineage(cls))
-        for target in self._stands_for(cls):
+        for target in self.stands_for(cls):
             found = self._members.get((True, target, target.rpartition("::")[2]))
             if found is not None:
                 return for_arguments(found, given.get(target, ()))
         return None
 
-    def _stands_for(self, alias: str) -> Sequence[str]:
+    def stands_for(self, alias: str) -> Sequence[str]:
         """Return what an alias stands for, through further aliases; those of two trees may stand for each other."""
         seen = [alias]
         for name in seen:

@@ -1,0 +1,96 @@
+"""Nodes that a launch file named and started, and neither it nor what it includes starts any more."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+
+from ecm_checker.hub.provision import HOLE, LAUNCHED, Provision
+
+File = tuple[str, str]
+"""The package of a launch file and its name."""
+
+
+class Launches:
+    """What the launch files of one side start, with all that they include."""
+
+    def __init__(self, entities: Iterable[Provision]) -> None:
+        self._runs: dict[File, tuple[str, ...]] = {}
+        self._named: dict[File, set[str]] = defaultdict(set)
+        self._programs: set[str] = set()
+        self._packages: set[str] = set()
+        for each in entities:
+            self._packages.add(each.package)
+            if each.row.is_placed:
+                self._runs[each.package, each.name] = each.bases
+            elif each.row.runs and each.facet == LAUNCHED:
+                self._named[each.package, each.owner].add(each.name)
+            elif each.row.started:
+                self._programs.add(f"{each.package}/{each.name}")
+
+    def has(self, file: File) -> bool:
+        """Whether a launch file is there."""
+        return file in self._runs
+
+    def runs(self, file: File) -> set[str]:
+        """Return what a file and those that it includes run, and the files that they include of other trees."""
+        return {run for each in self._reached(file) for run in self._runs[each] if self._file(run) is None}
+
+    def names(self, file: File) -> set[str]:
+        """Return the names that a file and those that it includes give to nodes."""
+        return {name for each in self._reached(file) for name in self._named.get(each, ())}
+
+    def has_program(self, run: str) -> bool:
+        """Whether a program is one of the packages of the tree, as far as these are known."""
+        return run in self._programs
+
+    def _reached(self, start: File) -> Iterator[File]:
+        pending, seen = [start], {start}
+        while pending:
+            file = pending.pop()
+            yield file
+            included = {self._file(run) for run in self._runs[file]} - seen - {None}
+            seen |= included  # type: ignore[arg-type]
+            pending += included  # type: ignore[arg-type]
+
+    def _file(self, run: str) -> File | None:
+        package, name = run.partition("/")[0], run.rpartition("/")[2]
+        return (package, name) if (package, name) in self._runs else None
+
+
+class NoLongerStarted:
+    """Asks whether a node that a launch file of the old side started is lost to who runs that file."""
+
+    def __init__(self, old: Iterable[Provision], new: Iterable[Provision], owners: Mapping[str, str]) -> None:
+        self._old, self._new, self._owners = Launches(old), Launches(new), owners
+
+    def is_lost(self, node: Provision, package: str) -> bool:
+        """Whether neither its name nor its program is started now, and all is known that is.
+
+        Args:
+            node: with a name that a launch file of the old side gave it.
+            package: the one that it is in now.
+        """
+        file, now = (node.package, node.owner), (package, self._owners.get(node.owner, node.owner))
+        run = _run_of(node)
+        if HOLE in run or not self._old.has(file) or not self._new.has(now) or self._is_gone(run):
+            return False
+        before, after = self._old.runs(file), self._new.runs(now)
+        unknown = HOLE in after or any(_is_launch(each) for each in after - before)
+        return not unknown and run not in after and node.name not in self._new.names(now)
+
+    def _is_gone(self, run: str) -> bool:
+        """Whether its program is gone or has another name, which is told of the program."""
+        return self._old.has_program(run) and not self._new.has_program(run)
+
+
+def _run_of(node: Provision) -> str:
+    """What it runs, as `run_by` writes it; its package stands before a component that needs none."""
+    if len(node.bases) == 2 and "::" not in node.bases[1]:
+        return "/".join(node.bases)
+    return (node.bases[-1] if node.bases else HOLE).replace("::", "/")
+
+
+def _is_launch(run: str) -> bool:
+    """Whether something that runs is a file that another package has."""
+    return run.endswith((".py", ".xml", ".launch", ".yaml", ".yml"))

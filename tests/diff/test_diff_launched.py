@@ -1,0 +1,75 @@
+"""Nodes that a launch file started and does not start any more."""
+
+from __future__ import annotations
+
+import pytest
+from diff_repos import package
+
+Files = dict[str, str | None]
+ROS1 = package("arm").replace("ament_cmake", "catkin").replace("rclcpp", "roscpp")
+ARM = '<node pkg="arm" type="arm" name="arm"/>'
+LEG = '<node pkg="leg" type="leg" name="leg"/>'
+INCLUDED = '<include file="$(find arm)/launch/legs.launch"/>'
+FOREIGN = '<include file="$(find legs)/launch/legs.launch"/>'
+
+
+def _launch(*lines: str, name: str = "all") -> Files:
+    return {f"arm/launch/{name}.launch": "\n".join(("<launch>", *lines, "</launch>")) + "\n"}
+
+
+GONE = {
+    "taken out": (_launch(ARM, LEG), _launch(ARM)),
+    "its include is taken out": (
+        {**_launch(ARM, LEG), **_launch(LEG, name="legs")},
+        {**_launch(ARM), **_launch(LEG, name="legs")},
+    ),
+    "beside a file of another package that was there before": (
+        _launch(ARM, LEG, '<include file="$(find other)/launch/a.launch"/>'),
+        _launch(ARM, '<include file="$(find other)/launch/a.launch"/>'),
+    ),
+}
+STARTED = {
+    "by a file that is included now": (_launch(ARM, LEG), {**_launch(ARM, INCLUDED), **_launch(LEG, name="legs")}),
+    "perhaps by a file of another package": (_launch(ARM, LEG), _launch(ARM, FOREIGN)),
+    "perhaps by a file that only the launch knows": (
+        _launch(ARM, LEG),
+        _launch('<arg name="legs"/>', ARM, '<include file="$(arg legs)"/>'),
+    ),
+    "by two nodes of its program": (
+        _launch(ARM, LEG),
+        _launch(ARM, LEG.replace('name="leg"', 'name="left"'), LEG.replace('name="leg"', 'name="right"')),
+    ),
+    "by another program": (_launch(ARM, LEG), _launch(ARM, LEG.replace('type="leg"', 'type="leg_2"'))),
+    "perhaps by a program that only the launch knows": (
+        _launch(ARM, LEG),
+        _launch('<arg name="kind"/>', ARM, '<node pkg="leg" type="$(arg kind)" name="$(arg kind)"/>'),
+    ),
+}
+
+
+@pytest.mark.parametrize("case", GONE)
+def test_a_node_that_is_no_longer_started(changes, case: str) -> None:  # type: ignore[no-untyped-def]
+    """Who runs or includes the file is without it."""
+    old, new = GONE[case]
+    found = [each for each in changes({"arm/package.xml": ROS1, **old}, new) if each["breaking"]]
+    assert [(each["kind"], each["change"], each["owner"], each["old"]) for each in found] == [
+        ("node", "removed", "all.launch", "leg")
+    ]
+
+
+@pytest.mark.parametrize("case", STARTED)
+def test_a_node_that_may_still_be_started(changes, case: str) -> None:  # type: ignore[no-untyped-def]
+    """By what the file includes, under another name or by another program; where not all is known nothing is told."""
+    old, new = STARTED[case]
+    found = changes({"arm/package.xml": ROS1, **old}, new)
+    assert not [each for each in found if each["kind"] == "node" and each["change"] == "removed"]
+
+
+def test_a_program_that_is_gone_explains_its_node(told) -> None:  # type: ignore[no-untyped-def]
+    """It is told of the program."""
+    make = "project(arm)\nadd_executable(arm src/a.cpp)\nadd_executable(hand src/b.cpp)\n"
+    hand = ARM.replace("arm", "hand").replace('pkg="hand"', 'pkg="arm"')
+    sources: Files = {"arm/src/a.cpp": "int main() {}\n", "arm/src/b.cpp": "int main() {}\n"}
+    old = {"arm/package.xml": ROS1, "arm/CMakeLists.txt": make, **sources, **_launch(ARM, hand)}
+    new = {"arm/CMakeLists.txt": make.replace("add_executable(hand src/b.cpp)\n", ""), **_launch(ARM)}
+    assert told(old, new) == {("executable", "removed", "hand", None)}
