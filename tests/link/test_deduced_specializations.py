@@ -57,9 +57,7 @@ ROWS = [
 
 
 @pytest.mark.parametrize(("call", "expected"), [row[1:] for row in ROWS], ids=[row[0] for row in ROWS])
-def test_a_call_means_the_specialization_for_its_arguments(
-    workspace: Any, call: str, expected: dict[str, str]
-) -> None:
+def test_a_call_means_the_specialization_for_its_arguments(workspace: Any, call: str, expected: dict[str, str]) -> None:
     """Calls with fields meant all of them, which were told one within the other."""
     found = workspace.package({"src/demo.cpp": CODE.format(call=call)}, ros=1).interfaces()
     assert {row.name.strip("/"): row.type for row in found if row.role == "parameter"} == expected

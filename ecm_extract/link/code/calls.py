@@ -192,11 +192,11 @@ def gives_others(func: Func, call: Invocation) -> bool:
 
 def _is_plain(arg: Expr, caller: Func) -> bool:
     if isinstance(arg, Name):
-        return arg.id not in caller.variously_typed and bool(kind_of_type(_declared(arg.id, caller)))
+        return arg.id not in caller.variously_typed and bool(kind_of_type(declared_type(arg.id, caller)))
     return isinstance(arg, Text | Number | Lambda)
 
 
-def _declared(name: str, func: Func) -> str:
+def declared_type(name: str, func: Func) -> str:
     """The type that a variable or a member is declared with; empty where that is not seen."""
     field = func.cls.fields.get(name) if func.cls is not None else None
     return func.written_types.get(name) or (field.type if field is not None else "")
@@ -208,7 +208,7 @@ def _is_interface(func: Func, expr: Expr) -> bool:
         return name.startswith("get_node_") and name.endswith("_interface")
     if not isinstance(expr, Name):
         return False
-    written = _declared(expr.id, func)
+    written = declared_type(expr.id, func)
     if plain(written) != "auto":
         return is_node_interface(written)
     values = [s.value for s in func.fact.body if s.target == expr and s.kind == "let" and s.value is not None]

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Text
 from ecm_parsers.source.facts import Parameter
 
-from ecm_extract.link.code.calls import Invocation, gives_others, spreads, taken_by
+from ecm_extract.link.code.calls import Invocation, declared_type, gives_others, spreads, taken_by
 from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overload_ranks import not_outranked
 from ecm_extract.link.code.spelling import plain
@@ -135,8 +135,7 @@ def _text_fit(last: str, written: str) -> int:
 
 def _declared(name: str, caller: Func) -> str:
     """The type that a variable or member is declared with; empty where that is not seen, or is that of a template."""
-    member = caller.cls.fields.get(name) if caller.cls is not None else None
-    declared = caller.written_types.get(name, member.type if member is not None else "")
+    declared = declared_type(name, caller)
     is_open = name in caller.variously_typed or plain(declared) in {"auto", *caller.fact.template}
     return "" if is_open else declared
 
