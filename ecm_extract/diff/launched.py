@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 
 from ecm_checker.hub.provision import HOLE, LAUNCHED, Provision
 
@@ -61,17 +61,19 @@ class Launches:
 class NoLongerStarted:
     """Asks whether a node that a launch file of the old side started is lost to who runs that file."""
 
-    def __init__(self, old: Iterable[Provision], new: Iterable[Provision], owners: Mapping[str, str]) -> None:
-        self._old, self._new, self._owners = Launches(old), Launches(new), owners
+    def __init__(self, old: Iterable[Provision], new: Iterable[Provision]) -> None:
+        self._old, self._new = Launches(old), Launches(new)
 
     def is_lost(self, node: Provision, package: str) -> bool:
         """Whether neither its name nor its program is started now, and all is known that is.
+
+        Of a launch file that is gone, or has another name, that is what is told.
 
         Args:
             node: with a name that a launch file of the old side gave it.
             package: the one that it is in now.
         """
-        file, now = (node.package, node.owner), (package, self._owners.get(node.owner, node.owner))
+        file, now = (node.package, node.owner), (package, node.owner)
         run = _run_of(node)
         if HOLE in run or not self._old.has(file) or not self._new.has(now) or self._is_gone(run):
             return False

@@ -122,7 +122,7 @@ class Pairing:
         """Nodes under another name, made by something else, or that a launch file no longer starts."""
         for found in list(node_pairs(self.old.values(), self.new.values(), self._known())):
             self.take(found)
-        started = NoLongerStarted(self.all_old.values(), self.all_new.values(), self.owners)
+        started = NoLongerStarted(self.all_old.values(), self.all_new.values())
         for side in (self.old, self.new):
             for entity in list(side.values()):
                 is_launched = entity.row.runs and entity.facet == LAUNCHED

@@ -40,6 +40,10 @@ STARTED = {
         _launch(ARM, LEG.replace('name="leg"', 'name="left"'), LEG.replace('name="leg"', 'name="right"')),
     ),
     "by another program": (_launch(ARM, LEG), _launch(ARM, LEG.replace('type="leg"', 'type="leg_2"'))),
+    "by no file, as that has another name": (
+        _launch(ARM, LEG),
+        {**dict.fromkeys(_launch(ARM)), **_launch(ARM, name="all_of_it")},
+    ),
     "perhaps by a program that only the launch knows": (
         _launch(ARM, LEG),
         _launch('<arg name="kind"/>', ARM, '<node pkg="leg" type="$(arg kind)" name="$(arg kind)"/>'),
