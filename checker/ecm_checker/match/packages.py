@@ -122,7 +122,9 @@ class Packages:
         return any(each.package in self._partly or self._is_open(each) for each in lost)
 
     def _is_open(self, lost: Provision) -> bool:
-        return bool(lost.owner) and any(each.open for each in self.provisions.owners(lost.package, lost.owner))
+        """Whether its owner may have it under a name that is not told: a node has only parameters so."""
+        owners = self.provisions.owners(lost.package, lost.owner) if lost.owner else ()
+        return any(each.open and (lost.is_value or not each.row.runs) for each in owners)
 
     def unmet(self) -> Iterator[Unmet]:
         """Yield what they require of each other and do not get.
