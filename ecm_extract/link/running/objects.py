@@ -29,6 +29,7 @@ from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, invocation_of
 from ecm_extract.link.running.file_scope import FileScope
 from ecm_extract.link.running.makers import makers_of
 from ecm_extract.link.running.named_classes import class_asked, class_at_hand, class_cast_to, is_cast
+from ecm_extract.link.running.nested_types import seen_from_outside
 from ecm_extract.link.running.pair_types import type_in_pair
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.shipped import shipped_names
@@ -108,7 +109,8 @@ class Objects:
             return self.scope.member_type(expr.name, cls) or self._member_assigned_type(expr.name, cls, env)
         if isinstance(expr, Member):
             part = type_in_pair(expr, env.before(env.at), self) if expr.name in PAIR else ""
-            return part or self.scope.member_type(expr.name, self.class_of(expr.base, env.before(env.at)))
+            cls = self.class_of(expr.base, env.before(env.at)) if not part else None
+            return part or seen_from_outside(self.scope.member_type(expr.name, cls), cls, self.program)
         if isinstance(expr, Call):
             return self._made_type(expr, env)
         if isinstance(expr, Op) and expr.op in {"&", "?:"}:
