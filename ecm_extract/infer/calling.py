@@ -15,6 +15,7 @@ from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.giving import Giving
 from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
+from ecm_extract.infer.places import owners
 from ecm_extract.infer.run import Frame
 from ecm_extract.link.code.walk import given_to, last_of
 
@@ -188,6 +189,7 @@ class Calling:
             changed = {key for key in outline.changed_inside(func) if self.memory.is_open(key)}
             known = self.frame.judge.methods.changed_by(func, env)
             state = self._anything(state) if known is None or known - changed else state
+            changed |= {key for key in known or () if owners(key)}  # of fields no method alone tells
             state = self.memory.lost(state, changed)
             for key in changed:
                 state = self.memory.of_any_field(key, state)

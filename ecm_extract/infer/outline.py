@@ -303,9 +303,10 @@ class Outline:
             shown = statement.kind == "return" and not bound and "reference" in func.fact.traits
             keys += [inner.root(statement.value)] if shown else []  # who calls it may change what it shows
         for key in keys:
-            if key.split(".")[0] not in inner.own:
-                own_or_dotted = key in self.effects.own or "." in key
-                yield key if own_or_dotted or not self.effects.is_member(key) else f".{key}"
+            root = key.partition(".")[0]
+            if root not in inner.own:
+                is_own = not root or root in self.effects.own
+                yield key if is_own or not self.effects.is_member(root) else f".{key}"
 
 
 def _is_given(call: Call, func: Func) -> bool:

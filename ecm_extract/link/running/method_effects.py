@@ -179,9 +179,15 @@ class MethodEffects:
             called = self._called(current, this)
             if called is None:
                 return None
+            called |= self._declared(current)
             pending += called - seen
             seen |= called
         return found
+
+    def _declared(self, func: Func) -> set[Func]:
+        """The functions that one declares and calls: what they call on the object is called by it."""
+        outline = self.folder.flow.outline(func)
+        return {each for calls in func.calls for call in calls for each in outline.run_by(call)}
 
     def _by_given(self, func: Func, this: Cls | None) -> Set[str]:
         """The members that functions change which a method gives its object, or a method of that."""
