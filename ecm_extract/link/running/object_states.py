@@ -6,15 +6,18 @@ from collections.abc import Hashable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 import msgspec
-from ecm_parsers.source.expr import THIS, Call, Expr
+from ecm_parsers.source.expr import THIS, Call, Expr, Name
 
 from ecm_extract.infer.held import MAX_WAYS, Held, State
 from ecm_extract.infer.places import owners
+from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.own import is_super
 from ecm_extract.link.code.pointed import given_to_pointed, pointed
-from ecm_extract.link.code.units import Cls
+from ecm_extract.link.code.spelling import by_value
+from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
+from ecm_extract.link.running.implicit_makers import ImplicitMakers
 from ecm_extract.link.running.kept_members import KeptMembers
 from ecm_extract.link.running.known_callers import KnownCallers
 
@@ -34,6 +37,7 @@ class ObjectStates:
         self.folder = folder
         self.callers = KnownCallers(folder)
         self.kept_members = KeptMembers(folder)
+        self._implicit = ImplicitMakers(folder.program)
         self._known: dict[Hashable, Held | None] = {}
         self._meanwhile: dict[Hashable, Held | None] = {}
         self._nested = 0
@@ -181,9 +185,16 @@ class ObjectStates:
             return None
         helds = self.folder.flow.decisions.ways(state.holds.get(key, ()))
         held = helds[0] if len(helds) == 1 else None
-        if held is None or held.how != "value" or held.env is None or not isinstance(held.expr, Call):
+        if held is None or held.env is None:
             return None
-        return self.constructor(held.expr, held.env)
+        if held.how == "made":
+            return self._declared(key, held.env)
+        return self.constructor(held.expr, held.env) if held.how == "value" and isinstance(held.expr, Call) else None
+
+    def _declared(self, name: str, env: Env) -> Env | None:
+        """The beginning of the constructor that `Topic topic;` runs."""
+        written = self.folder.scope.declared_type(name, env)
+        return self.constructor(Call(Name(written), ()), env) if by_value(written) else None
 
     def constructor(self, call: Call, env: Env) -> Env | None:
         """Return the beginning of the constructor that a call runs, or of what it makes behind a pointer; else None."""
@@ -191,11 +202,18 @@ class ObjectStates:
         written = pointed(call) or (made.path.replace(".", "::") if made.receiver is None else "")
         made = msgspec.structs.replace(made, args=given_to_pointed(made.last, made.args))
         cls = self.folder.objects.class_written(written, env) if written else None
-        maker = self.folder.objects.constructor(cls, made) if cls is not None else None
-        if cls is None or maker is None or not maker.fact.body:
+        maker = self._maker_of(cls, made) if cls is not None else None
+        if cls is None or maker is None:
             return None
         args = bind(maker, made, env)
         return Env(maker, 0, args, this=cls, made=Instance(cls, args, {}, maker), depth=env.depth + 1)
+
+    def _maker_of(self, cls: Cls, call: Invocation) -> Func | None:
+        """The constructor with a body that a call runs; without arguments also the one that nobody writes."""
+        maker = self.folder.objects.constructor(cls, call)
+        if maker is None:
+            return self._implicit.of(cls) if not call.args else None
+        return maker if maker.fact.body or "declaration" not in maker.fact.traits else None
 
 
 def is_own(receiver: Expr | None) -> bool:
