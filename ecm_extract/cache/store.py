@@ -173,7 +173,9 @@ def _rows(connection: sqlite3.Connection, keys: Sequence[str]) -> Iterator[tuple
     for start in range(0, len(keys), _KEYS_A_QUERY):
         part = keys[start : start + _KEYS_A_QUERY]
         marks = ",".join("?" * len(part))
-        yield from connection.execute(f"{_SELECT} ({marks})", part)
+        for key, used, value in connection.execute(f"{_SELECT} ({marks})", part):
+            if isinstance(key, str) and isinstance(used, int | float) and isinstance(value, bytes):
+                yield key, used, value  # of others the disk has lost something
 
 
 def _make_room(connection: sqlite3.Connection, room: int, limit: int) -> None:

@@ -60,6 +60,7 @@ def test_damaged_file_is_replaced(store: Store, content: bytes) -> None:
 
 @settings(max_examples=30, deadline=None)
 @example(at=3825, byte=128)
+@example(at=11721, byte=0)
 @given(at=st.integers(0, 40_000), byte=st.integers(0, 255))
 def test_damaged_bytes_give_no_wrong_value(tmp_path_factory: pytest.TempPathFactory, at: int, byte: int) -> None:
     """Whatever byte of the file changes on disk, a value is right or not known."""
