@@ -12,6 +12,9 @@ CODE = """
 #include <Eigen/Core>
 struct Limits {{ double low; std::string unit; uint32_t count; other::Thing thing; Eigen::Vector3d axis; }};
 struct Drive {{ Limits limits; }};
+struct Frame {{ double yaw; }};
+using Pose2 = Frame;
+using Seconds = float;
 template <typename T> bool read(ros::NodeHandle & nh, const std::string & key, T & value) {{
   return nh.getParam(key, value);
 }}
@@ -30,6 +33,16 @@ template <> inline bool read(ros::NodeHandle & nh, const std::string & key, Limi
 }}
 template <> inline bool read(ros::NodeHandle & nh, const std::string & key, Eigen::Matrix<double, 3, 1> & value) {{
   return read(nh, key + "/0", value(0)) && read(nh, key + "/1", value.y());
+}}
+template <> inline bool read(ros::NodeHandle & nh, const std::string & key, Pose2 & value) {{
+  return read(nh, key + "/yaw", value.yaw);
+}}
+template <> inline bool read(ros::NodeHandle & nh, const std::string & key, Seconds & value) {{
+  float seconds = value;
+  return nh.getParam(key + "/seconds", seconds);
+}}
+template <> inline bool read(ros::NodeHandle & nh, const std::string & key, Eigen::Quaterniond & value) {{
+  return read(nh, key + "/w", value.w());
 }}
 int main(int argc, char ** argv) {{
   ros::init(argc, argv, "demo");
@@ -52,6 +65,9 @@ ROWS = [
     ("a field that has one", 'Limits d; read(nh, "a", d.count);', {"a": "integer"}),
     ("a vector", 'Eigen::Vector3d a; read(nh, "a", a);', {"a/0": "double", "a/1": "double"}),
     ("a vector in a field", 'Limits d; read(nh, "a", d.axis);', {"a/0": "double", "a/1": "double"}),
+    ("a struct whose other name has one", 'Frame a; read(nh, "a", a);', {"a/yaw": "double"}),
+    ("a number whose other name has one", 'float a; read(nh, "a", a);', {"a/seconds": "double"}),
+    ("a quaternion by its arguments", 'Eigen::Quaternion<double> a; read(nh, "a", a);', {"a/w": "double"}),
     ("a type that is named", 'Limits a; read<Limits>(nh, "a", a);', {"a/low": "double", "a/unit": "string"}),
 ]
 

@@ -8,7 +8,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, 
 from ecm_parsers.source.facts import Parameter
 
 from ecm_extract.link.code.calls import Invocation, declared_type, gives_others, spreads, taken_by
-from ecm_extract.link.code.numbers import kind_of_type
+from ecm_extract.link.code.numbers import kind_of_type, type_of_number
 from ecm_extract.link.code.overload_ranks import not_outranked
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.templates import unified
@@ -79,7 +79,8 @@ def _is_specialized_so(call: Invocation, func: Func) -> bool:
     """Of a template and its specializations only one is meant; which one a template that calls it need not know."""
     if not call.types:
         types = _deduced(call, func)
-        return not types or func.takes(types)
+        is_other_name = bool(func.specialized) and not all(map(_is_plain_type, func.specialized))
+        return not types or is_other_name or func.takes(types)
     open_ = {*call.func.fact.template, *(call.func.cls.fact.template if call.func.cls is not None else ())}
     return not open_.isdisjoint(call.types) or func.takes(call.types)
 
@@ -95,7 +96,12 @@ def _deduced(call: Invocation, func: Func) -> Sequence[str]:
         if written and not _is_address(written):
             found = {**unified(parameter.type, written, general.fact.template), **found}
     types = [found.get(name, "") for name in general.fact.template]
-    return types if all(kind_of_type(written) for written in types) else ()
+    return types if all(map(_is_plain_type, types)) else ()
+
+
+def _is_plain_type(written: str) -> bool:
+    """Whether a type is written as a number or a text; another word may be another name of one."""
+    return bool(kind_of_type(written) or type_of_number(written))
 
 
 def _fit(arg: Expr, parameter: Parameter, caller: Func, func: Func) -> int:

@@ -62,11 +62,16 @@ class TemplateTypes:
         """The types for which a call means a template by its arguments; nothing where one may have another name."""
         shown = self.of_function(general, call, env)
         types = [shown.get(name, "") for name in general.fact.template]
-        made = [each.specialized for each in general.siblings() if each.fact.specializes is not None]
-        for given in (types, [spelled_out(written) for written in types]):
-            if all(given) and any(all(each) and alike(given, each) for each in made):
-                return given
-        return types if all(self._is_itself(written, env) for written in types) else ()
+        given = [spelled_out(written) for written in types]
+        made = (each for each in general.siblings() if each.fact.specializes is not None) if all(given) else ()
+        found = (each.specialized for each in made if alike(given, self._spelled_out(each)))
+        own = types if all(self._is_itself(written, env) for written in types) else ()
+        return next(filter(all, found), own)
+
+    def _spelled_out(self, special: Func) -> Sequence[str]:
+        """The types of a specialization, without other names of them."""
+        env = Env(special)
+        return [spelled_out(self.meant(written, env)) for written in special.specialized]
 
     def _is_itself(self, written: str, env: Env) -> bool:
         """Whether a type is no other name of another one: a number, a text, a message or a class of the tree."""
