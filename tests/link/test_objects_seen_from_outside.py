@@ -58,6 +58,37 @@ ROWS = [
 ]
 
 
+DERIVED = """
+#include <ros/ros.h>
+struct Stage { virtual void load(ros::NodeHandle & nh) = 0; };
+struct Camera : Stage { void load(ros::NodeHandle & nh) override { nh.getParam("camera", a_); } int a_; };
+struct Lidar : Stage { void load(ros::NodeHandle & nh) override { nh.getParam("lidar", a_); } int a_; };
+void one(std::shared_ptr<Stage> stage, ros::NodeHandle & nh) { stage->load(nh); }
+struct Owner {
+  Owner() { stage_ = std::make_shared<Camera>(); }
+  void begin(ros::NodeHandle & nh) { one(stage_, nh); }
+  std::shared_ptr<Stage> stage_;
+};
+struct Other : Owner {
+  Other() { stage_ = std::make_shared<Lidar>(); }
+};
+void go(Owner & owner, ros::NodeHandle & nh) { owner.begin(nh); }
+int main(int argc, char ** argv) {
+  ros::init(argc, argv, "demo");
+  ros::NodeHandle nh;
+  Other other;
+  CALL
+}
+"""
+
+
+@pytest.mark.parametrize("call", ["other.begin(nh);", "go(other, nh);", "go(given(), nh);"])
+def test_a_derived_class_may_give_a_member_another_object(workspace: Any, call: str) -> None:
+    """What the base gives its member is not all that a method of the base finds there."""
+    found = workspace.package({"src/demo.cpp": DERIVED.replace("CALL", call)}, ros=1).interfaces()
+    assert "lidar" in {row.name.strip("/") for row in found if row.role == "parameter"}
+
+
 @pytest.mark.parametrize(("begin", "main", "names"), [row[1:] for row in ROWS], ids=[row[0] for row in ROWS])
 def test_methods_of_objects_that_are_seen_to_be_others_are_not_told(
     workspace: Any, begin: str, main: str, names: set[str]

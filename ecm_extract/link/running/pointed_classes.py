@@ -53,11 +53,17 @@ class PointedClasses:
         if env.depth > MAX_DEPTH:
             return ()
         if isinstance(expr, Member) and expr.base == THIS:
-            cls = env.this or env.func.cls
-            is_given = cls is None or self.folder.changed_outside.is_changed(expr.name, cls)
-            return () if is_given else self.folder.origins.makers(expr, env) or ()
+            return self._given_to_member(expr, env)
         if not isinstance(expr, Name):
             return ()
         helds = self.folder.origins.held(expr, env)
         known = [Bound(held.expr, held.env) for held in helds if held.how == "value" and held.expr and held.env]
         return known if len(known) == len(helds) else ()
+
+    def _given_to_member(self, expr: Member, env: Env) -> Iterable[Bound]:
+        """What the class at hand gives a member; nothing where a derived one, or somebody else, may give it more."""
+        cls, folder = env.this or env.func.cls, self.folder
+        if cls is None or folder.changed_outside.is_changed(expr.name, cls):
+            return ()
+        derived = any(folder.scope.members(expr.name, each) for each in folder.program.derived(cls))
+        return () if derived else folder.origins.makers(expr, env) or ()
