@@ -264,9 +264,10 @@ EFFECTS: Final[tuple[Effect, ...]] = (
 )
 
 
-def hidden(node: Provision) -> Difference:
+def hidden(holder: Provision) -> Difference:
     """Nothing declares a parameter by its name any more, and its node declares some by names that are not known."""
-    said = f"no longer declared by its name; {node.node or node.owner} declares parameters by names that are not known"
+    what = holder.name if holder.is_value else "parameters by names that are not known"
+    said = f"no longer declared by its name; {holder.node or holder.owner} declares {what}"
     return Difference("removed", False, f"{said}, and this may be one of them")
 
 

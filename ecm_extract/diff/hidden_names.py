@@ -29,20 +29,22 @@ class HiddenNames:
             elif each.is_value and each.is_computed and each.key not in known:
                 self._patterns.setdefault((each.package, each.owner), []).append(each)
 
-    def may_be_there(self, lost: Provision, module: Module) -> bool:
-        """Whether a pattern that came with the new side shows enough of a name to be the one that is gone."""
-        return lost.is_value and any(may_be_one(lost.name, each.name) for each in self._patterns.get(module, ()))
+    def holder(self, lost: Provision, module: Module) -> Provision | None:
+        """Return what of the new side may be a parameter that is gone, or declare it.
 
-    def node_of(self, lost: Provision, module: Module) -> Provision | None:
-        """Return the node of the new side that may declare what is gone under a name of which nothing is known."""
-        is_new = lost.is_value and (lost.package, lost.owner) not in self._open_before
-        return self._open.get(module) if is_new else None
+        That is a pattern which came with that side and fits the name, or a node with names of which nothing is known.
+        """
+        if not lost.is_value:
+            return None
+        fitting = (each for each in self._patterns.get(module, ()) if may_be_one(lost.name, each.name))
+        is_new = (lost.package, lost.owner) not in self._open_before
+        return next(fitting, self._open.get(module) if is_new else None)
 
 
 def hiding_files(located: Iterable[Located]) -> tuple[UnreadPart, ...]:
-    """Return the files of nodes that may still have what is gone under names that are not known."""
-    nodes = [entry.pair.hidden_in for entry in located if entry.pair.hidden_in is not None]
-    return tuple(UnreadPart(path, "unfollowed", True, "new", True) for path in sorted({node.path for node in nodes}))
+    """Return the files of what may still have what is gone under names that are not known."""
+    paths = {entry.pair.hidden_in.path for entry in located if entry.pair.hidden_in is not None}
+    return tuple(UnreadPart(path, "unfollowed", True, "new", True) for path in sorted(paths))
 
 
 def _module(node: Provision) -> Module:

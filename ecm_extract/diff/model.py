@@ -25,7 +25,7 @@ class Pair(msgspec.Struct, frozen=True):
         how: why the two are one.
         confidence: 0 to 1. reason: for people, empty for the same key.
         kept: whether the old name still stands for it.
-        hidden_in: node of the new side that may have what is gone, under a name that is not known.
+        hidden_in: what of the new side may be what is gone, by a pattern, or a node that may declare it.
     """
 
     old: Provision | None

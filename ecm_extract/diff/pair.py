@@ -85,12 +85,8 @@ class Pairing:
         hidden = HiddenNames(self.all_old.values(), self.all_new.values())
         still = StillThere(self.evidence, self.bases, self.owners, self._sent)
         pairs = [msgspec.structs.replace(pair, kept=True) if still.is_bound(pair.old) else pair for pair in self.pairs]
-        lost = [(entity, self._module_of(entity)) for entity in self.old.values() if not still.is_there(entity)]
-        removed = [
-            Pair(entity, None, hidden_in=hidden.node_of(entity, module))
-            for entity, module in lost
-            if not hidden.may_be_there(entity, module)
-        ]
+        lost = [entity for entity in self.old.values() if not still.is_there(entity)]
+        removed = [Pair(entity, None, hidden_in=hidden.holder(entity, self._module_of(entity))) for entity in lost]
         return [*pairs, *removed, *(Pair(None, entity) for entity in self.new.values())]
 
     def take(self, pair: Pair) -> None:

@@ -65,13 +65,13 @@ COMPUTED = "declare_parameter(read_name(), 1);"
         (('declare_parameter("rate", 1);',), (COMPUTED,), [False]),
         (('declare_parameter("rate", 1);', COMPUTED), (COMPUTED,), [True]),
         (('declare_parameter("rate", 1);',), ('declare_parameter("slow_" + read_name(), 1);',), [True]),
-        (('declare_parameter("limits.rate", 1);',), ('declare_parameter("limits." + read_name(), 1);',), []),
+        (('declare_parameter("limits.rate", 1);',), ('declare_parameter("limits." + read_name(), 1);',), [False]),
     ],
 )
 def test_a_name_that_is_computed_now(
     changes, before: tuple[str, ...], after: tuple[str, ...], breaking: list[bool]
 ) -> None:  # type: ignore[no-untyped-def]
-    """What is declared by a name that is not known may be what is gone, and one that fits a pattern is there."""
+    """What is declared by a name that is not known may be what is gone, and so may one that fits a pattern."""
     files = {"arm/package.xml": package("arm"), "arm/CMakeLists.txt": CMAKE}
     found = changes({**files, "arm/src/arm.cpp": node(*before)}, {"arm/src/arm.cpp": node(*after)})
     assert [each["breaking"] for each in found if each["change"] == "removed"] == breaking
