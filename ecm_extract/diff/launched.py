@@ -18,9 +18,7 @@ class Launches:
         self._runs: dict[File, tuple[str, ...]] = {}
         self._named: dict[File, set[str]] = defaultdict(set)
         self._programs: set[str] = set()
-        self._packages: set[str] = set()
         for each in entities:
-            self._packages.add(each.package)
             if each.row.is_placed:
                 self._runs[each.package, each.name] = each.bases
             elif each.row.runs and each.facet == LAUNCHED:
@@ -49,9 +47,9 @@ class Launches:
         while pending:
             file = pending.pop()
             yield file
-            included = {self._file(run) for run in self._runs[file]} - seen - {None}
-            seen |= included  # type: ignore[arg-type]
-            pending += included  # type: ignore[arg-type]
+            included = {found for run in self._runs[file] if (found := self._file(run)) is not None} - seen
+            seen |= included
+            pending += included
 
     def _file(self, run: str) -> File | None:
         package, name = run.partition("/")[0], run.rpartition("/")[2]

@@ -189,7 +189,7 @@ class Calling:
             changed = {key for key in outline.changed_inside(func) if self.memory.is_open(key)}
             known = self.frame.judge.methods.changed_by(func, env)
             state = self._anything(state) if known is None or known - changed else state
-            changed |= {key for key in known or () if owners(key)}  # of fields no method alone tells
+            changed |= {key for key in known or () if owners(key)}  # their members may be as made
             state = self.memory.lost(state, changed)
             for key in changed:
                 state = self.memory.of_any_field(key, state)

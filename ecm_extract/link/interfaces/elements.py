@@ -35,16 +35,14 @@ def spelled_out(written: str) -> str:
 
 
 def _held(call: Call, type_of: Callable[[Expr], str]) -> str:
-    """The type of what a call takes an element from."""
+    """The type of what a call takes an element from: what a method gives one of, or what is called itself."""
     callee = call.callee
-    if isinstance(callee, Member) and callee.name in _ELEMENTS:
-        return _holder(callee.base, type_of)
-    return _holder(callee, type_of) if call.args and "" in _ELEMENTS else ""
+    return _holder(callee.base if isinstance(callee, Member) and callee.name in _ELEMENTS else callee, type_of)
 
 
 def _holder(expr: Expr, type_of: Callable[[Expr], str]) -> str:
     if isinstance(expr, Call):
-        same = isinstance(expr.callee, Member) and expr.callee.name in _ALIKE
-        return _holder(expr.callee.base, type_of) if same and isinstance(expr.callee, Member) else ""
+        callee = expr.callee
+        return _holder(callee.base, type_of) if isinstance(callee, Member) and callee.name in _ALIKE else ""
     written = spelled_out(type_of(expr))
     return written if plain(written) in _HOLDERS and template_arguments(written) else ""
