@@ -21,6 +21,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from executed.combined import programs as combined_programs
 from executed.draw import Program
 from executed.grammar import grammar
 from executed.written import programs as written_programs
@@ -225,6 +226,16 @@ def judged_written(language: str) -> Iterator[Judged]:
                 yield replace(line, place=(f"{program.name}, {line.place[0]}", line.place[1]))
 
 
+def judged_combined(language: str, number: int, seed: str) -> Iterator[Judged]:
+    """Run and read programs that combine what holds a text, what changes it and who reads it."""
+    combined = combined_programs(language, number, seed)
+    for start in range(0, len(combined), BATCH):
+        batch = {f"p{at}": program for at, program in enumerate(combined[start : start + BATCH], start)}
+        with tempfile.TemporaryDirectory() as folder:
+            for line in _of_batch(language, Path(folder), {name: each.text for name, each in batch.items()}):
+                yield replace(line, place=(batch[Path(line.place[0]).stem].name, line.place[1]))
+
+
 def _of_batch(language: str, root: Path, programs: Mapping[str, str]) -> Iterator[Judged]:
     package, made = BATCHES[language](root, programs)
     told = extracted(package)
@@ -240,10 +251,14 @@ def main() -> None:
     parser.add_argument("--show", type=int, default=0, help="lines that are wrong, at most so many")
     parser.add_argument("--keep", type=Path, help="folder for the drawn programs")
     parser.add_argument("--written", action="store_true", help="run the programs of executed/written instead")
+    parser.add_argument("--combined", type=int, help="run so many combinations of executed/combined instead")
     asked = parser.parse_args()
     for language in BATCHES if asked.language == "both" else (asked.language,):
         if asked.written:
             _report(language, list(judged_written(language)), asked.show)
+            continue
+        if asked.combined:
+            _report(language, list(judged_combined(language, asked.combined, asked.seed)), asked.show)
             continue
         seeds = [f"{asked.seed}_{number}" for number in range(asked.programs)]
         _report(language, list(judged(language, seeds, asked.keep)), asked.show)
