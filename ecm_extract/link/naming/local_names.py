@@ -40,9 +40,12 @@ def local_name(value: Value, handle: Handle, node: str | None) -> LocalName:
 
 
 def _private(parts: Parts) -> Parts:
-    """The same below `~`, without the name of the node in front; as it is where a setting may leave out the slash."""
-    _, first, *rest = parts
-    return joined(["~/", first.lstrip("/"), *rest]) if isinstance(first, str) else parts
+    """The same below `~`, without the name of the node in front; as it is where a setting may leave that or the slash."""
+    match parts:
+        case (OpenPart(of="node"), str(first), *rest):
+            return joined(["~/", first.lstrip("/"), *rest])
+        case _:
+            return parts
 
 
 def local_parameter(value: Value, handle: Handle, ros: int | None) -> LocalName:
