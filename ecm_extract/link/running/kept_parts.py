@@ -19,6 +19,7 @@ from ecm_extract.infer.effect import Effect
 from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import target_of
+from ecm_extract.infer.unpacking import taken
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.texts import makes_text
 from ecm_extract.link.code.units import Cls, Func
@@ -188,12 +189,13 @@ class KeptParts:
         func = outline.func
         for entry in func.fact.body:
             value, held = entry.value, isinstance(entry.value, Items | Table | Comprehension)
-            if value is None or is_plain(value) or (entry.kind == "each" and self._is_of_plain(value, outline)):
+            if value is None or is_plain(value):
                 continue
             if entry.kind == "return" or entry.type.startswith("yield"):
                 yield _Given(_Place(func.fact.name), value, held)
             elif entry.kind != "do":
-                keys = (key for key in outline.bound_keys(target_of(entry)) if key)
+                target = self._unplain(entry, outline) if entry.kind == "each" else target_of(entry)
+                keys = (key for key in outline.bound_keys(target) if key)
                 within = held or isinstance(entry.target, Op) or entry.type.endswith("=")
                 yield from (_Given(self._place(key, func), value, within) for key in keys)
         for at, calls in enumerate(func.calls):
@@ -210,12 +212,17 @@ class KeptParts:
                 place = self._place(f"{last_name(each.scope)}.{each.name}", func)
                 yield _Given(place, each.value, isinstance(each.value, Items | Table))
 
-    def _is_of_plain(self, value: Expr, outline: Outline) -> bool:
-        """Whether a loop is over texts or numbers that are written out: nobody can change them."""
+    def _unplain(self, loop: Statement, outline: Outline) -> Expr | None:
+        """What a loop binds but texts and numbers that are written out: nobody can change these."""
+        target, value = loop.target, loop.value
         if isinstance(value, Name) and value.id not in outline.effects.own:
             found = self.folder.scope.constant(value.id, Env(outline.func))
             value = found[0].value or value if found is not None else value
-        return isinstance(value, Items) and all(map(is_plain, value.items))
+        rows = value.items if isinstance(value, Items) else (value,)
+        if not isinstance(target, Items):
+            return Items(()) if isinstance(value, Items) and all(map(_is_fixed, rows)) else target
+        columns = zip(*(taken(target.items, row) for row in rows), strict=True)
+        return Items(tuple([column[0].target for column in columns if not all(_is_fixed(each.part) for each in column)]))
 
     def _handed(self, call: Call, at: int, outline: Outline) -> Iterator[_Given]:
         """Yield the parameters that a call gives something, or the list or table that it puts something into."""
@@ -241,6 +248,11 @@ def _comprehended(func: Func) -> Set[str]:
     bound = [(at in loops, set(names_in(each.target))) for at, each in enumerate(func.fact.body)]
     inside = (names for is_loop, names in bound if is_loop)
     return set[str]().union(*inside).difference(*(names for is_loop, names in bound if not is_loop))
+
+
+def _is_fixed(element: Expr) -> bool:
+    """Whether an element of a list is a text or a number, and not all elements of another one: `*names`."""
+    return is_plain(element) and not (isinstance(element, Op) and len(element.operands) == 1 and element.op == "*")
 
 
 def _is_text(entry: Statement) -> bool:
