@@ -204,7 +204,7 @@ class Assigning:
             before = self.memory.known(root, state, held.env)
             stored = Held("stored", root, target.operands[1], held.env, held.at, held.expr, before)
             new = stored if held.how == "value" else Held("lost", root, before=before)
-            return self.memory.in_place(root, new, state)
+            return self.memory.in_place(root, new, self.memory.parts_lost(root, state))
         return self.memory.in_place(root, Held("lost", root, before=state.holds.get(root, ())), state)
 
     def _is_set_by_method(self, key: str) -> bool:

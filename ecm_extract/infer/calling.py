@@ -36,10 +36,10 @@ class Calling:
 
     def after(self, at: int, state: State, env: Env, skipped: Sequence[Call] = ()) -> State:
         """Return the state after the calls of a statement, without some that do not run."""
-        calls = _without(self.frame.env.func.calls[at], skipped)
-        if not calls:
+        calls, effects = _without(self.frame.env.func.calls[at], skipped), self.frame.effects.of(at)
+        if not calls and not effects:
             return state
-        for effect in self.frame.effects.of(at):
+        for effect in effects:
             if not any(effect.call is each for each in skipped):
                 state = self._apply(effect, at, env, state)
                 state = self.giving.written(_receiver(effect.call), state)

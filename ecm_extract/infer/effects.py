@@ -31,7 +31,7 @@ from ecm_extract.infer.finding import found
 from ecm_extract.infer.handed_functions import HandedFunctions
 from ecm_extract.infer.led_into import led_into
 from ecm_extract.infer.library_calls import calls_of
-from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
+from ecm_extract.infer.places import ALL_FIELDS, chosen, key_of, root_of
 from ecm_extract.infer.reading_calls import leaves_arguments
 from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
@@ -43,6 +43,8 @@ if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
 
 _SETATTR: Final = Name("setattr")
+CHOOSING: Final = Call(Name("?:"), ())
+"""Stands for what gives something to one of several variables, which no call does."""
 
 
 class Effects:
@@ -120,8 +122,14 @@ class Effects:
             self._known[at] = ()  # who asks in a circle
             statement = self.func.fact.body[at]
             groups = (found(call, at, self) or self._of_call(call, at, statement) for call in self.func.calls[at])
-            known = self._known[at] = (*chain.from_iterable(groups), *self._taken(statement))
+            chosen = self._of_chosen(statement.target, CHOOSING)
+            known = self._known[at] = (*chain.from_iterable(groups), *self._taken(statement), *chosen)
         return known
+
+    def _of_chosen(self, expr: Expr | None, call: Call) -> Iterator[Effect]:
+        """What changes when that of a choice changes: `(test ? a : b).name = text`."""
+        sides = () if self.python else chosen(expr)
+        yield from (Effect("lost", root, call) for side in sides if (root := self.root(side)))
 
     def _taken(self, statement: Statement) -> Iterator[Effect]:
         """What a statement of Python may change since a call gives it a part of that: `next(iter([row]))[0] = 1`."""
@@ -147,6 +155,9 @@ class Effects:
         yield from self._set(call)
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee, at)
+            yield from self._of_chosen(callee.base, call)
+        elif isinstance(callee, Op):  # a method by a pointer to it
+            yield from (Effect("lost", root, call) for root in [self.root(callee)] if root and not self.python)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         last = path.rsplit("::", 1)[-1]
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]

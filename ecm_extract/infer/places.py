@@ -96,6 +96,14 @@ def whole_of(expr: Expr) -> Expr | None:
     return expr.callee.base if isinstance(expr, Call) and isinstance(expr.callee, Member) else None
 
 
+def chosen(expr: Expr | None) -> Sequence[Expr]:
+    """Return what a choice of C++ gives that an expression reaches into: `a` and `b` of `(test ? a : b).name`."""
+    while expr is not None and not (isinstance(expr, Op) and expr.op == "?:"):
+        expr = whole_of(expr)
+    sides = expr.operands[1:] if isinstance(expr, Op) else ()
+    return [each for side in sides for each in (chosen(side) or (side,))]
+
+
 def wholes(key: str) -> list[str]:
     """Return the objects that a field lies in, by key; the object at hand has none."""
     parts = key.split(".")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
 
+from ecm_extract.infer.places import chosen
 from ecm_extract.infer.read_into import ReadInto
 from ecm_extract.link.code.expression_text import expression_text
 from ecm_extract.link.code.member_paths import below_variable
@@ -46,10 +47,24 @@ class FieldFolder:
         found = [*self._of_functions(expr, env), *others, *([handed] if handed is not None else ())]
         if any(value.confidence != "default" for value in found):
             found += self._set_later(expr, env)
+        if found and self._is_pointed_to(expr, env):
+            found.append(unknown(expr.name))
         filled = [value for value in found if value.text or value is handed]
         if filled:
             filled += self._left_alone(expr, env)
         return alternatives(filled or found)[:MAX_ALTERNATIVES] if found else ()
+
+    def _is_pointed_to(self, expr: Member, env: Env) -> bool:
+        """Tell whether C++ has a pointer to a field, or to a method that changes it: `object.*pointer`."""
+        cls, outside = self.folder.objects.class_of(expr.base, env), self.folder.changed_outside
+        if cls is None or cls.file.language != "cpp":
+            return False
+        methods = (
+            each.fact.name
+            for entry in self.folder.program.ancestry(cls)
+            for each in self.folder.scope.changing(expr.name, entry)
+        )
+        return any(outside.is_pointed_to(name, cls) for name in (expr.name, *methods))
 
     def _by_caller(self, expr: Member, env: Env) -> Value | None:
         """What only the caller knows of a field, in C++: that of an object that he hands over; None of others."""
@@ -134,6 +149,8 @@ class FieldFolder:
 
     def _may_be_others(self, expr: Member, env: Env, target: Member, inner: Env) -> bool:
         """Tell whether what is written to is a field of another object of the class, as far as that is known."""
+        if chosen(target.base):
+            return True
         members = target.base != expr.base and is_own_member(target.base) and is_own_member(expr.base)
         named = inner.func is env.func and isinstance(target.base, Name) and isinstance(expr.base, Name)
         is_other = members or named or _is_element(target.base) or self._is_own(target.base, inner)
@@ -203,7 +220,7 @@ def _is_alike(one: Expr, other: Expr) -> bool:
 
 
 def _is_element(expr: Expr) -> bool:
-    """Tell whether an object is one of several, or lies in one: `rows[0]`, `rows.back()`; others do not get its own."""
+    """Tell whether an object is one of several, or lies in one: `rows[0]`, `(a ? b : c)`; others do not get its own."""
     while isinstance(expr, Member):
         expr = expr.base
-    return is_one_of_several(expr) or isinstance(expr, Call)
+    return is_one_of_several(expr) or isinstance(expr, Call) or bool(chosen(expr))

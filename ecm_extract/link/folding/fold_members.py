@@ -216,6 +216,7 @@ class MemberFolder:
         others = others or list(self.initial(name, cls, env))
         filled = [value for value in others or values if value.text or value in emptied]
         others_give = self.folder.python_fields.any_is_given(cls) or self._is_others(name, cls)
+        others_give = others_give or (cls.file.language == "cpp" and self.is_given(name, cls))
         return alternatives([*(filled or others or values), *[unknown(name)] * others_give]) if values else ()
 
     def _is_left_alone(self, cls: Cls, making: Collection[Func], env: Env) -> bool:

@@ -56,8 +56,6 @@ def by_variable(whole: Bound | None, expr: Member, env: Env, folder: Folder) -> 
 
 def is_as_made(expr: Expr, env: Env, folder: Folder) -> bool:
     """Tell whether nobody has changed an object of Python that the function at hand made, or made a list of."""
-    if env.func.file.language != "python":
-        return False
     if isinstance(expr, Call) and folder.structures.class_called(expr, env) is not None:
         return True  # which nobody has yet
     root: Expr | None = expr

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,9 @@ from ecm_parsers.source.expr import THIS, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import all_ways
+from ecm_extract.infer.places import chosen
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.running.arguments import bind
@@ -43,6 +45,22 @@ class ChangedOutside:
     def may_be_changed(self, name: str, cls: Cls) -> bool:
         """Tell whether a function changes such a member of an object that is of a class, or of which that is open."""
         return any(self._may_own(func, owner, cls) for func, owner in self._changing.get(name, ()))
+
+    def is_pointed_to(self, name: str, cls: Cls) -> bool:
+        """Tell whether C++ has a pointer to a member of any object of a class, or of one that it derives from."""
+        owners = self._pointed.get(name, frozenset())
+        return bool(owners) and any(each.fact.name in owners for each in self.folder.program.ancestry(cls))
+
+    @cached_property
+    def _pointed(self) -> Mapping[str, Set[str]]:
+        """Name of a member -> the last names of the classes whose member pointers are to: `&Row::name`."""
+        found: dict[str, set[str]] = defaultdict(set)
+        for func in (each for each in self.functions if each.file.language == "cpp"):
+            for expr in _addressed(func):
+                owner, _, name = expr.id.rpartition("::") if isinstance(expr, Name) else ("", "", "")
+                if owner:
+                    found[name].add(last_name(owner))
+        return found
 
     def is_handed_out(self, expr: Expr, env: Env) -> bool:
         """Tell whether a field of Python lies in an object that a function was handed which changes it."""
@@ -110,10 +128,11 @@ class ChangedOutside:
     def _changing(self) -> Mapping[str, Sequence[tuple[Func, Expr]]]:
         """Name of a field -> the functions that change it, or a part of it, with the object that it lies in."""
         found: dict[str, list[tuple[Func, Expr]]] = defaultdict(list)
-        for func in (each for each in self.functions if each.file.language == "python"):
+        for func in self.functions:
             for target in (entry.target for entry in func.fact.body if entry.kind != "do"):
                 if isinstance(target, Member) and isinstance(target.base, Op):
-                    found[target.name].append((func, target.base))
+                    owners = (target.base,) if func.file.language == "python" else chosen(target.base)
+                    found[target.name] += [(func, owner) for owner in owners]
         kept = ((each.func, each.key) for each in self.folder.kept_parts.all())
         for func, key in (*self._changed_keys(), *kept):
             for owner, field in _owned(key):
@@ -130,12 +149,15 @@ class ChangedOutside:
         if func.file.language != "cpp":
             return
         effects = self.folder.flow.effects(func)
-        for statement in func.fact.body:
-            if _refers(statement):
-                yield effects.root(statement.value)
-            for expr, _ in expressions(statement):
-                if isinstance(expr, Op) and expr.op == "&" and len(expr.operands) == 1:
-                    yield effects.root(expr.operands[0])
+        yield from (effects.root(statement.value) for statement in func.fact.body if _refers(statement))
+        yield from map(effects.root, _addressed(func))
+
+
+def _addressed(func: Func) -> Iterator[Expr]:
+    """Yield what a function of C++ takes the address of."""
+    for expr in (expr for statement in func.fact.body for expr, _ in expressions(statement)):
+        if isinstance(expr, Op) and expr.op == "&" and len(expr.operands) == 1:
+            yield expr.operands[0]
 
 
 def _is_element(func: Func, owner: Expr) -> bool:

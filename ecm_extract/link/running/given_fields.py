@@ -41,9 +41,11 @@ class GivenFields:
         return known
 
     def _is_changed(self, name: str, cls: Cls) -> bool:
-        """Whether a function changes the field of some object in any other way: reads a parameter into it."""
-        outside = cls.file.language == "cpp" and self.folder.changed_outside.is_changed(name, cls)
-        return outside or self._is_shared(name, cls)
+        """Whether a function changes the field of some object in any other way: reads a parameter into it, points to it."""
+        if cls.file.language != "cpp":
+            return False
+        others = self.folder.changed_outside
+        return others.is_changed(name, cls) or others.is_pointed_to(name, cls) or self._is_shared(name, cls)
 
     def _is_shared(self, name: str, cls: Cls) -> bool:
         """Whether a field is one for all objects, and methods give it something, which other objects may run, too."""

@@ -222,7 +222,9 @@ class KeptParts:
         if not isinstance(target, Items):
             return Items(()) if isinstance(value, Items) and all(map(_is_fixed, rows)) else target
         columns = zip(*(taken(target.items, row) for row in rows), strict=True)
-        return Items(tuple([column[0].target for column in columns if not all(_is_fixed(each.part) for each in column)]))
+        return Items(
+            tuple([column[0].target for column in columns if not all(_is_fixed(each.part) for each in column)])
+        )
 
     def _handed(self, call: Call, at: int, outline: Outline) -> Iterator[_Given]:
         """Yield the parameters that a call gives something, or the list or table that it puts something into."""

@@ -156,6 +156,8 @@ def _field(reader: ExprReader, node: Node) -> Expr:
     base, field = node.child_by_field_name("argument"), node.child_by_field_name("field")
     if base is None or field is None:
         return Opaque(reader.text(node)[:80])
+    if any(child.type == ".*" for child in node.children):  # a member that a pointer chooses is known when it runs
+        return Op("[]", (object_cast(reader, base), Name(reader.name(field))))
     return Member(object_cast(reader, base), reader.name(field))
 
 
