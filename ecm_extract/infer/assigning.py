@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 MAX_MOVED: Final = 4
 """Statements behind one that moves from variables, in which they are left without a value."""
-_REFERRING: Final = Name("std::ref")
+_REFERRING: Final = frozenset({Name("std::ref"), Name("std::reference_wrapper")})
 """en.cppreference.com, std::ref: who has what it gives may change what it is given."""
 _TIE: Final = "tie"
 """en.cppreference.com, std::tie: references to what it is given."""
@@ -129,7 +129,15 @@ class Assigning:
             self.memory.escaped.add(self.frame.effects.root(value))
             state = self.memory.lost(state, {self.frame.effects.root(value)})
         held = Held("lost" if self._changes_behind(value, at) else "value", key, value, env, at)
-        return self.memory.hold(key, held, self.memory.parts_lost(key, state))
+        return self.memory.hold(key, held, self._with_parts(key, self.memory.parts_lost(key, state)))
+
+    def _with_parts(self, key: str, state: State) -> State:
+        """The state in which a reference of C++ has the fields of the object that it is another name of."""
+        others = self.memory.sharing.names_of(key) - {key} if not self.frame.python else ()
+        parts = {
+            key + part.removeprefix(name): state.holds[part] for name in others for part in state.holds.within(name)
+        }
+        return state.having(parts)
 
     def _changes_behind(self, value: Expr | None, at: int) -> bool:
         """Whether a function gives a reference, perhaps to a variable that it gets and that is changed somewhere."""
@@ -258,11 +266,9 @@ class Assigning:
         referred = {effects.key(each) for each in _referred(value)} & effects.own
         if referred:
             return referred
-        if is_address(value) and isinstance(value, Op):
-            given = value.operands[0]
-            key = effects.key(given)
-            within = effects.root(given) if isinstance(given, Op) and given.op == "[]" else ""
-            return {key} if key.partition(".")[0] in effects.own else {within} - {""}
+        addressed = {key for given in _addressed(value) if (key := self._addressed_in(given))}
+        if addressed or is_address(value):
+            return addressed
         pointer, outline = effects.key(statement.target), self.frame.outline
         pointed = set(self._iterated(value)) & effects.own if isinstance(value, Op | Call) else set()
         if statement.type.endswith("*") and isinstance(value, Call) and self._gives_way(value):
@@ -270,6 +276,13 @@ class Assigning:
         if not pointed or any(each.startswith(f"{pointer}.") for each in outline.changes):
             return set()
         return pointed if self._writes_through(pointer) else set()
+
+    def _addressed_in(self, given: Expr) -> str:
+        """The variable of the function that a pointer leads into, be it to an element of it; empty for others."""
+        key = self.frame.effects.key(given)
+        if key:
+            return key if key.partition(".")[0] in self.frame.effects.own else ""
+        return self.frame.effects.root(given) if is_element(given) else ""
 
     def _gives_way(self, call: Call) -> bool:
         """Whether a method of an object of the function gives a pointer, or a reference, to what may be changed."""
@@ -331,7 +344,15 @@ def _arguments(value: Expr | None) -> tuple[Expr, ...]:
 def _referred(value: Expr | None) -> Iterator[Expr]:
     """Yield the variables that others get a reference to: `std::bind(f, std::ref(x))`."""
     calls = calls_in(value) if value is not None else ()
-    return (arg for call in calls if call.callee == _REFERRING for arg in call.args)
+    return (arg for call in calls if call.callee in _REFERRING for arg in call.args)
+
+
+def _addressed(value: Expr | None) -> Iterator[Expr]:
+    """Yield what a value is the address of, or has the address of in its braces: `{&x, &y}`."""
+    braces = [item for entry in _braces(value) for item in entry.items]
+    for each in (value, *braces):
+        if isinstance(each, Op) and is_address(each):
+            yield each.operands[0]
 
 
 def _of_maker(value: Expr | None, python: bool) -> Expr | None:

@@ -26,12 +26,13 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names, shared_names
 from ecm_extract.infer.by_reference import by_reference
+from ecm_extract.infer.chosen_effects import by_method_pointer, given_to_chosen, on_chosen
 from ecm_extract.infer.effect import Effect, Kind
 from ecm_extract.infer.finding import found
 from ecm_extract.infer.handed_functions import HandedFunctions
 from ecm_extract.infer.led_into import led_into
 from ecm_extract.infer.library_calls import calls_of
-from ecm_extract.infer.places import ALL_FIELDS, chosen, key_of, root_of
+from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.infer.reading_calls import leaves_arguments
 from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
@@ -43,8 +44,6 @@ if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
 
 _SETATTR: Final = Name("setattr")
-CHOOSING: Final = Call(Name("?:"), ())
-"""Stands for what gives something to one of several variables, which no call does."""
 
 
 class Effects:
@@ -122,14 +121,12 @@ class Effects:
             self._known[at] = ()  # who asks in a circle
             statement = self.func.fact.body[at]
             groups = (found(call, at, self) or self._of_call(call, at, statement) for call in self.func.calls[at])
-            chosen = self._of_chosen(statement.target, CHOOSING)
-            known = self._known[at] = (*chain.from_iterable(groups), *self._taken(statement), *chosen)
+            known = self._known[at] = (
+                *chain.from_iterable(groups),
+                *self._taken(statement),
+                *given_to_chosen(statement.target, self),
+            )
         return known
-
-    def _of_chosen(self, expr: Expr | None, call: Call) -> Iterator[Effect]:
-        """What changes when that of a choice changes: `(test ? a : b).name = text`."""
-        sides = () if self.python else chosen(expr)
-        yield from (Effect("lost", root, call) for side in sides if (root := self.root(side)))
 
     def _taken(self, statement: Statement) -> Iterator[Effect]:
         """What a statement of Python may change since a call gives it a part of that: `next(iter([row]))[0] = 1`."""
@@ -155,9 +152,7 @@ class Effects:
         yield from self._set(call)
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee, at)
-            yield from self._of_chosen(callee.base, call)
-        elif isinstance(callee, Op):  # a method by a pointer to it
-            yield from (Effect("lost", root, call) for root in [self.root(callee)] if root and not self.python)
+        yield from by_method_pointer(call, self)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         last = path.rsplit("::", 1)[-1]
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
@@ -233,8 +228,9 @@ class Effects:
 
     def _on_receiver(self, call: Call, callee: Member, at: int) -> Iterator[Effect]:
         if callee.name not in self.calls.changing:
-            if is_element(callee.base) and self._changes_object(call, at):
-                yield Effect("reached", self.root(callee.base), call)
+            if self._changes_object(call, at):
+                yield from [Effect("reached", self.root(callee.base), call)] if is_element(callee.base) else ()
+                yield from on_chosen(call, callee, self)
             return
         key = self.key(callee.base)
         reset = callee.name == "str" and not call.args
@@ -267,6 +263,8 @@ class Effects:
             return arg != THIS
         if isinstance(arg, Op) and arg.op in {"&", "[]"}:
             return bool(self.root(arg.operands[0]))
+        if is_element(arg) and not self.python:
+            return bool(self.root(arg))
         return self.iterates(arg) or (isinstance(arg, Call) and bool(self.key(arg)))
 
     def iterates(self, arg: Expr) -> bool:

@@ -97,11 +97,20 @@ def whole_of(expr: Expr) -> Expr | None:
 
 
 def chosen(expr: Expr | None) -> Sequence[Expr]:
-    """Return what a choice of C++ gives that an expression reaches into: `a` and `b` of `(test ? a : b).name`."""
-    while expr is not None and not (isinstance(expr, Op) and expr.op == "?:"):
+    """Return what an expression of C++ may reach into that a choice or a function gives.
+
+    `a` and `b` of `(test ? a : b).name` and of `larger(a, b).name`.
+    """
+    while expr is not None and not _gives_one(expr):
         expr = whole_of(expr)
-    sides = expr.operands[1:] if isinstance(expr, Op) else ()
+    sides = expr.operands[1:] if isinstance(expr, Op) else expr.args if isinstance(expr, Call) else ()
     return [each for side in sides for each in (chosen(side) or (side,))]
+
+
+def _gives_one(expr: Expr) -> bool:
+    """Whether an expression is one of several that stand in it."""
+    by_function = isinstance(expr, Call) and isinstance(expr.callee, Name) and expr.callee != _GET
+    return by_function or (isinstance(expr, Op) and expr.op == "?:")
 
 
 def wholes(key: str) -> list[str]:

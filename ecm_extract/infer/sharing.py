@@ -13,6 +13,7 @@ from ecm_extract.infer.effects import is_plain
 from ecm_extract.infer.held import State, all_ways
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import wholes
+from ecm_extract.link.code.spelling import by_value
 
 
 class Meant(NamedTuple):
@@ -46,7 +47,9 @@ class Sharing:
         first, *fields = key.split(".")
         way = (".".join((first, *fields[:count])) for count in range(len(fields)))
         member = not first  # the object at hand is one throughout
-        return (member or self.outline.is_one(first)) and all(self.outline.changes.get(each, 0) <= 1 for each in way)
+        own = by_value(self.outline.func.written_types.get(first, "*"))  # as an object is that no pointer leads to
+        fixed = (self.outline.changes.get(each, 0) <= 1 or (own and each == first) for each in way)
+        return (member or self.outline.is_one(first)) and all(fixed)
 
     def names_of(self, key: str) -> set[str]:
         """Return all names of the variable of C++ that a name means."""

@@ -12,6 +12,7 @@ _NODE_INTERFACE = re.compile(r"\bNode\w+Interface\b")
 _QUALIFIERS = frozenset({"const", "typename", "class", "struct", "volatile", "public", "virtual", "static"})
 _POINTERS = frozenset(
     {"shared_ptr", "unique_ptr", "scoped_ptr", "optional", "SharedPtr", "UniquePtr", "Ptr", "weak_ptr"}
+    | {"reference_wrapper"}
 )
 _MARKS = str.maketrans("&*[]", "    ")
 _WITHIN_TEMPLATE = re.compile(r">\s*::\s*\w+$")

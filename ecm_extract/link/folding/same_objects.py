@@ -55,7 +55,10 @@ def by_variable(whole: Bound | None, expr: Member, env: Env, folder: Folder) -> 
 
 
 def is_as_made(expr: Expr, env: Env, folder: Folder) -> bool:
-    """Tell whether nobody has changed an object of Python that the function at hand made, or made a list of."""
+    """Tell whether nobody has changed an object that the function at hand made, or made a list of.
+
+    In C++ nobody else has it either: who keeps a reference to it changes it when he likes.
+    """
     if isinstance(expr, Call) and folder.structures.class_called(expr, env) is not None:
         return True  # which nobody has yet
     root: Expr | None = expr
@@ -68,7 +71,17 @@ def is_as_made(expr: Expr, env: Env, folder: Folder) -> bool:
             break
         made = folder.structures.made(made.expr, made.env)
     own = bool(ways) and all(held.how in _OWN for way in ways for held in all_ways(way))
+    if env.func.file.language == "cpp" and root is not None and _is_handed(root, env, folder.flow):
+        return False
     return own and made is not None and isinstance(made.expr, Call)
+
+
+def _is_handed(variable: Expr, env: Env, flow: Flow) -> bool:
+    """Whether a call before gets a variable of C++, or a part of it, be it to make an object."""
+    effects = flow.effects(env.func)
+    key = effects.key(variable)
+    calls = (call for group in env.func.calls[: env.at] for call in group)
+    return any(effects.root(arg) == key for call in calls for arg in given_to(call))
 
 
 def left_by_maker(name: str, place: Env, exact: bool, folder: Folder) -> tuple[Value, ...]:

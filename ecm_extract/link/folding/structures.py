@@ -52,7 +52,7 @@ class StructureFolder:
             return meant
         if whole is not None:
             values = self.handed_on(expr, env)
-            if values or self._has_changed_fields(whole):
+            if values or self._has_changed_fields(whole) or self._is_given(Member(whole.expr, expr.name), whole.env):
                 return values
         made = self._constructed(expr, env)
         if made:
@@ -84,6 +84,10 @@ class StructureFolder:
         outline = self.folder.flow.outline(whole.env.func)
         root = outline.effects.root(whole.expr)
         return not root or any(key.startswith(f"{root}.") for key in outline.changes)
+
+    def _is_given(self, field: Member, env: Env) -> bool:
+        """Whether a field has been given something of its own in the function, or by a pointer to it."""
+        return bool(self.folder.flow.ways(field, env))
 
     def _constructed(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """What the constructor that takes the arguments of an object best gives its member; empty without one."""

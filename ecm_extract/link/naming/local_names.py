@@ -40,7 +40,7 @@ def local_name(value: Value, handle: Handle, node: str | None) -> LocalName:
 
 
 def _private(parts: Parts) -> Parts:
-    """The same below `~`, without the name of the node in front; as it is where a setting may leave that or the slash."""
+    """The same below `~`, without the name of the node in front; as it is where a setting may leave that."""
     match parts:
         case (OpenPart(of="node"), str(first), *rest):
             return joined(["~/", first.lstrip("/"), *rest])

@@ -13,7 +13,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.held import all_ways
 from ecm_extract.infer.places import chosen
 from ecm_extract.link.code.calls import Invocation
-from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.running.arguments import bind
@@ -73,7 +73,7 @@ class ChangedOutside:
         """Whether an object that a function changes is of a class, or of one that derives from it."""
         if _is_element(func, owner):
             return self._may_own(func, owner, cls)
-        known = self._class_of(func, owner) is not None
+        known = self._class_of(func, owner) is not None or _is_of_any_type(func, owner)
         return self._may_own(func, owner, cls) if known else self._is_passed(func, owner, cls)
 
     def _is_passed(self, func: Func, owner: Expr, cls: Cls) -> bool:
@@ -133,6 +133,8 @@ class ChangedOutside:
                 if isinstance(target, Member) and isinstance(target.base, Op):
                     owners = (target.base,) if func.file.language == "python" else chosen(target.base)
                     found[target.name] += [(func, owner) for owner in owners]
+            for owner, name in self._lent(func):
+                found[name].append((func, owner))
         kept = ((each.func, each.key) for each in self.folder.kept_parts.all())
         for func, key in (*self._changed_keys(), *kept):
             for owner, field in _owned(key):
@@ -142,15 +144,19 @@ class ChangedOutside:
     def _changed_keys(self) -> Iterator[tuple[Func, str]]:
         for func in self.functions:
             outline = self.folder.flow.outline(func)
-            yield from ((func, key) for key in {*outline.changes, *outline.altered, *self._lent(func)})
+            yield from ((func, key) for key in {*outline.changes, *outline.altered})
 
-    def _lent(self, func: Func) -> Iterator[str]:
-        """The members that a function of C++ binds to a reference, or takes the address of."""
+    def _lent(self, func: Func) -> Iterator[tuple[Expr, str]]:
+        """Yield the objects of whose fields a function of C++ binds one to a reference, or takes the address of it."""
         if func.file.language != "cpp":
             return
-        effects = self.folder.flow.effects(func)
-        yield from (effects.root(statement.value) for statement in func.fact.body if _refers(statement))
-        yield from map(effects.root, _addressed(func))
+        referred = (statement.value for statement in func.fact.body if _refers(statement))
+        for expr in (*referred, *_addressed(func)):
+            part = expr
+            while isinstance(part, Member):
+                if part.base != THIS:
+                    yield part.base, part.name
+                part = part.base
 
 
 def _addressed(func: Func) -> Iterator[Expr]:
@@ -158,6 +164,14 @@ def _addressed(func: Func) -> Iterator[Expr]:
     for expr in (expr for statement in func.fact.body for expr, _ in expressions(statement)):
         if isinstance(expr, Op) and expr.op == "&" and len(expr.operands) == 1:
             yield expr.operands[0]
+
+
+def _is_of_any_type(func: Func, owner: Expr) -> bool:
+    """Whether C++ states no type of an object, or what its template gives: `template <class T> void f(T & x)`."""
+    while isinstance(owner, Member):
+        owner = owner.base
+    types = (plain(entry.type) for entry in func.fact.params if owner == Name(entry.name))
+    return func.file.language == "cpp" and any(each == "auto" or each in func.fact.template for each in types)
 
 
 def _is_element(func: Func, owner: Expr) -> bool:

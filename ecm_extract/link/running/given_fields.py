@@ -41,7 +41,7 @@ class GivenFields:
         return known
 
     def _is_changed(self, name: str, cls: Cls) -> bool:
-        """Whether a function changes the field of some object in any other way: reads a parameter into it, points to it."""
+        """Whether a function changes the field of some object in any other way, or points to it."""
         if cls.file.language != "cpp":
             return False
         others = self.folder.changed_outside
