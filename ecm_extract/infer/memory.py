@@ -50,11 +50,15 @@ class Memory:
 
     def hold(self, key: str, held: Held, state: State) -> State:
         """Give a variable something to hold."""
-        if key in self.escaped:
+        if self._has_escaped(key):
             held = self._seen_by_others(key, held)
         if held.length >= MAX_LENGTH:
             self.frame.judge.settle(held)
         return self.of_any_field(key, state).having({key: (held,)})
+
+    def _has_escaped(self, key: str) -> bool:
+        """Whether others may change a variable any time, or in C++ an object of the function that it lies in."""
+        return key in self.escaped or (not self.frame.python and not self.escaped.isdisjoint(wholes(key)))
 
     def of_any_field(self, key: str, state: State) -> State:
         """The state after somebody changed the table of the fields of an object of Python: nobody knows any of them."""
@@ -189,6 +193,17 @@ class Memory:
             return self.lost(state, others | alike)
         state = self.lost(self.parts_lost(key, state), others)
         return state.having(dict.fromkeys(alike, ways))
+
+    def with_fields(self, key: str, other: str, before: State, state: State) -> State:
+        """The state in which a variable of C++ has the fields that another one had before it."""
+        fields = {key + part.removeprefix(other): before.holds[part] for part in before.holds.within(other)}
+        return state.having(
+            {
+                f"{name}{part.removeprefix(key)}": ways
+                for part, ways in fields.items()
+                for name in self.sharing.names_of(key)
+            }
+        )
 
     def reached(self, keys: Set[str], state: State, changed: Set[str] = frozenset()) -> State:
         """The state after somebody changed what variables mean or hold: a text of Python stays what it is.
