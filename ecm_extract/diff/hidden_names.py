@@ -41,6 +41,11 @@ class HiddenNames:
         return next(fitting, self._open.get(module) if is_new else None)
 
 
+def is_hidden_in(old: Provision, new: Provision) -> bool:
+    """Whether a pattern may stand for a parameter as it was called: then that has no other name."""
+    return old.is_value and not old.is_computed and new.is_computed and may_be_one(old.name, new.name)
+
+
 def hiding_files(located: Iterable[Located]) -> tuple[UnreadPart, ...]:
     """Return the files of what may still have what is gone under names that are not known."""
     paths = {entry.pair.hidden_in.path for entry in located if entry.pair.hidden_in is not None}

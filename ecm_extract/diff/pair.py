@@ -7,7 +7,7 @@ rename is one change.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 import msgspec
 from ecm_checker.hub.kinds import containers, kinds, kinds_that
@@ -17,12 +17,21 @@ from ecm_checker.match.hierarchy import Bases
 
 from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.computed import Computed
-from ecm_extract.diff.file_moves import alone_in_moved_files
-from ecm_extract.diff.hidden_names import HiddenNames
+from ecm_extract.diff.file_moves import alone_in_moved_files, with_their_files
+from ecm_extract.diff.hidden_names import HiddenNames, is_hidden_in
 from ecm_extract.diff.launched import NoLongerStarted
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
-from ecm_extract.diff.moves import GENERATED, Places, best_home, is_reshaped, move_key, tail_of, values_by_place
+from ecm_extract.diff.moves import (
+    GENERATED,
+    Places,
+    best_home,
+    is_private,
+    is_reshaped,
+    move_key,
+    tail_of,
+    values_by_place,
+)
 from ecm_extract.diff.nodes import Successions, node_pairs
 from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.same_line import same_lines
@@ -191,6 +200,8 @@ class Pairing:
                 target = next((self.new[key] for key in wanted if key in self.new), None)
                 if target is not None:
                     self.take(Pair(entity, target))
+        for found in list(with_their_files(self.old.values(), self.new.values(), self.evidence.files)):
+            self.take(found)
 
     def _inherited(self) -> None:
         """A method that is now in a base class of its class is still there."""
@@ -305,12 +316,12 @@ class Pairing:
     def _assign(self, before: list[Provision], after: list[Provision]) -> None:
         if not before or not after:
             return
-        kin = {(pair.old.owner, pair.new.owner) for pair in self.pairs if pair.old is not None and pair.new is not None}
+        kin = set(_kin(self.pairs))
         scores: dict[tuple[int, int], float] = {}
         reasons: dict[tuple[int, int], str] = {}
         for row, old in enumerate(before):
             for column, new in enumerate(after):
-                if not self._parts.may_be_one(old, new):
+                if not self._parts.may_be_one(old, new) or is_hidden_in(old, new):
                     continue
                 known = _may_be_of(old, new) or (old.owner, new.owner) in kin
                 found = score(old, new, self.evidence.files, self.evidence.history, known)
@@ -322,9 +333,19 @@ class Pairing:
             self.take(Pair(before[row], after[column], how, confidence, reasons[row, column]))
 
 
+def _kin(pairs: Iterable[Pair]) -> Iterator[tuple[str, str]]:
+    """Owners of which one became the other; that another node has a channel of a graph now says nothing of nodes."""
+    for pair in pairs:
+        old, new = pair.old, pair.new
+        if old is not None and new is not None and not (pair.how == "moved" and old.is_endpoint):
+            yield old.owner, new.owner
+
+
 def _may_be_of(old: Provision, new: Provision) -> bool:
-    """Whether it may be of another module than it was: a channel that is called so in its place."""
-    return not old.is_of_module or (old.is_endpoint and last_part(old.name) == last_part(new.name))
+    """Whether it may be of another module than it was: a channel that is called so in its place, and not by a node."""
+    if not old.is_endpoint or (is_private(old) and old.name == new.name):
+        return not old.is_of_module
+    return last_part(old.name) == last_part(new.name)
 
 
 def _may_be(old: Provision, new: Provision) -> bool:
