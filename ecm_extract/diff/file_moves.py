@@ -56,7 +56,7 @@ def _package_moved(
     """The folder of the package that one became, and by what that is seen."""
     if len(came.get(folder, ())) == 1:
         return folder, "the manifest in its folder names it so"
-    return _folder_moved(folder, files), "git sees that its files move there"
+    return folder_moved(folder, files), "git sees that its files move there"
 
 
 def _by_place(kind: str, entities: Iterable[Provision]) -> dict[str, list[Provision]]:
@@ -71,7 +71,7 @@ def _folder(path: str) -> str:
     return path.rpartition("/")[0]
 
 
-def _folder_moved(folder: str, files: Mapping[str, str]) -> str | None:
+def folder_moved(folder: str, files: Mapping[str, str]) -> str | None:
     """The folder with a manifest or sources that most files of a folder moved to; None when they scattered."""
     targets: dict[str, int] = defaultdict(int)
     total = 0
