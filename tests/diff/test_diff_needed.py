@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from diff_repos import node
+from diff_repos import node, package
 
 CMAKE = "project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION lib/arm)\n"
 READ_ONLY = (
@@ -48,3 +48,56 @@ def test_a_default_that_goes(changes) -> None:  # type: ignore[no-untyped-def]
     """Who relied on it must set the parameter now."""
     found = changes(_arm(RATE, 'declare_parameter<int>("depth", 5);'), _arm(RATE, 'declare_parameter<int>("depth");'))
     assert [(each["change"], each["old"], each["breaking"]) for each in found] == [("default_changed", "depth", True)]
+
+
+ROS1 = package("arm").replace("ament_cmake", "catkin").replace("rclcpp", "rospy")
+SCRIPT = """#!/usr/bin/env python3
+import rospy
+
+
+class Arm:
+    def __init__(self):
+        self.rate = rospy.get_param('~rate', 1)
+{}
+        self.begin()
+
+    def begin(self):
+        {}
+
+    def tick(self, event):
+        {}
+
+
+if __name__ == '__main__':
+    rospy.init_node('arm')
+    Arm()
+    rospy.spin()
+"""
+NEEDED = "rospy.get_param('~depth')"
+IN_PYTHON = [
+    ((NEEDED, "pass", "pass"), True),
+    (("pass", f"self.depth = {NEEDED}", "pass"), True),
+    (("pass", "pass", f"self.depth = {NEEDED}"), False),
+    ((f"self.depth = {NEEDED[:-1]}, 5)", "pass", "pass"), False),
+    ((f"self.depth = {NEEDED[:-1]}, default=5)", "pass", "pass"), False),
+    ((f"self.depth = {NEEDED} if rospy.has_param('~depth') else 5", "pass", "pass"), False),
+    ((f"self.depth = rospy.has_param('~depth') and {NEEDED}", "pass", "pass"), False),
+    ((f"if rospy.has_param('~depth'): self.depth = {NEEDED}", "pass", "pass"), False),
+    (("pass", f"try: self.depth = {NEEDED}\n        except KeyError: self.depth = 5", "pass"), False),
+]
+
+
+def _script(lines: tuple[str, str, str]) -> dict[str, str | None]:
+    first, *others = lines
+    install = "project(arm)\ncatkin_install_python(PROGRAMS scripts/arm.py DESTINATION lib/arm)\n"
+    text = SCRIPT.format(f"        {first}", *others)
+    return {"arm/package.xml": ROS1, "arm/CMakeLists.txt": install, "arm/scripts/arm.py": text}
+
+
+@pytest.mark.parametrize(("lines", "breaks"), IN_PYTHON)
+def test_a_new_parameter_of_rospy(changes, lines: tuple[str, str, str], breaks: bool) -> None:  # type: ignore[no-untyped-def]
+    """Where the node surely asks for it as it starts, and has no default, it ends with a KeyError."""
+    found = changes(_script(("pass", "pass", "pass")), _script(lines))
+    assert [(each["change"], each["new"], each["breaking"]) for each in found if each["kind"] == "parameter"] == [
+        ("added", "depth", breaks)
+    ]

@@ -59,7 +59,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         undeclared: the row holds only where the node takes parameters that it does not declare.
         reads: the call declares nothing, and its row holds only where somebody does or the node takes any.
         transport: position of the transport of a subscription, or `hints` where an object among the arguments has it.
-        needed: a call with a template argument and without a default stops the node where nobody sets the parameter.
+        needed: a call without a default (C++: with a template argument) stops the node where nobody sets the parameter.
     """
 
     callee: str
