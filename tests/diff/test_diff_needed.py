@@ -83,6 +83,8 @@ IN_PYTHON = [
     ((f"self.depth = {NEEDED} if rospy.has_param('~depth') else 5", "pass", "pass"), False),
     ((f"self.depth = rospy.has_param('~depth') and {NEEDED}", "pass", "pass"), False),
     ((f"if rospy.has_param('~depth'): self.depth = {NEEDED}", "pass", "pass"), False),
+    ((f"if not rospy.has_param('~depth'): raise ValueError()\n        self.depth = {NEEDED}", "pass", "pass"), True),
+    (("pass", f"if rospy.has_param('~depth'): self.depth = {NEEDED}\n        else: raise ValueError()", "pass"), True),
     (("pass", f"try: self.depth = {NEEDED}\n        except KeyError: self.depth = 5", "pass"), False),
 ]
 
@@ -101,3 +103,46 @@ def test_a_new_parameter_of_rospy(changes, lines: tuple[str, str, str], breaks: 
     assert [(each["change"], each["new"], each["breaking"]) for each in found if each["kind"] == "parameter"] == [
         ("added", "depth", breaks)
     ]
+
+
+NODE1 = """#include <ros/ros.h>
+class Arm {{
+public:
+  Arm() : nh_("~") {{
+    nh_.param("rate", rate_, 1);
+    {}
+  }}
+private:
+  ros::NodeHandle nh_;
+  int rate_, depth_;
+}};
+int main(int argc, char ** argv) {{ ros::init(argc, argv, "arm"); Arm arm; ros::spin(); }}
+"""
+MISSING = '!nh_.getParam("depth", depth_)'
+IN_ROS1 = [
+    (f'if ({MISSING}) {{ ROS_FATAL("no"); throw std::runtime_error("no"); }}', True),
+    (f"if ({MISSING}) exit(1);", True),
+    (f'if (!nh_.getParam("rate", rate_) || {MISSING}) throw 1;', True),
+    ('if (nh_.getParam("depth", depth_)) { begin(); } else { throw 1; }', True),
+    ('if (nh_.hasParam("depth")) { nh_.getParam("depth", depth_); } else { throw 1; }', True),
+    ('if (!nh_.hasParam("depth")) { throw 1; } nh_.getParam("depth", depth_);', True),
+    (f"if ({MISSING}) {{ depth_ = begin(); }}", False),
+    (f'if ({MISSING}) {{ ROS_WARN("none"); return; }}', False),
+    (f"if (rate_ > 2 && {MISSING}) {{ throw 1; }}", False),
+    (f"if (rate_ > 2) {{ return; }} if ({MISSING}) {{ throw 1; }}", False),
+    (f"try {{ if ({MISSING}) {{ throw 1; }} }} catch (int) {{ }}", False),
+    ('if (!nh_.hasParam("depths")) { throw 1; } nh_.getParam("depth", depth_);', False),
+    ('nh_.getParam("depth", depth_);', False),
+]
+
+
+@pytest.mark.parametrize(("line", "breaks"), IN_ROS1)
+def test_a_new_parameter_that_a_node_ends_without(changes, line: str, breaks: bool) -> None:  # type: ignore[no-untyped-def]
+    """Where it throws or exits as it starts, since nobody set it, who starts it must set it now."""
+    make = "project(arm)\nadd_executable(arm src/arm.cpp)\n"
+    old = {"arm/package.xml": ROS1.replace("rospy", "roscpp"), "arm/CMakeLists.txt": make}
+    found = changes({**old, "arm/src/arm.cpp": NODE1.format("")}, {"arm/src/arm.cpp": NODE1.format(line)})
+    added = [
+        (each["new"], each["breaking"]) for each in found if each["kind"] == "parameter" and each["new"] == "depth"
+    ]
+    assert added == [("depth", breaks)]

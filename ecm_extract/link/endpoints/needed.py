@@ -14,6 +14,7 @@ from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import perhaps_called
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.endpoints.demanded import Asked, ends_without
 from ecm_extract.link.owning.modules import Modules
 
 _DESCRIPTOR: Final = "ParameterDescriptor"
@@ -38,9 +39,10 @@ class Needed:
 
     def has(self, site: Site) -> bool:
         """Whether a site is so; a second argument may be its descriptor alone."""
-        if not site.form.needed or site.call.keywords or not site.certain or not self._is_bare(site):
+        if not site.certain or not all(map(_is_plain, site.chain)):
             return False
-        return all(_is_plain(each) for each, _ in site.steps()) and self._is_reached(site.root)
+        throws = site.form.needed and not site.call.keywords and self._is_bare(site) and _is_plain(site.call)
+        return (throws or _is_demanded(site)) and self._is_reached(site.root)
 
     def _is_bare(self, site: Site) -> bool:
         """Whether nothing is given beside the name; C++ tells the type as a template argument then."""
@@ -69,6 +71,14 @@ class Needed:
         return any(_is_plain(call) and self._is_reached(call.func) for call in self.sites.callers(func))
 
 
+def _is_demanded(site: Site) -> bool:
+    """Whether the function of a site ends the node where what it asks for is not set."""
+    if not site.form.asks:
+        return False
+    asked = Asked(site.call, site.form.language, site.form.asks)
+    return ends_without(asked, _surely(site.call.func))
+
+
 def _is_plain(call: Invocation) -> bool:
     """Whether each run of its function gets to a call: no branch, loop or attempt is around it, no return before it."""
     if any(each.line == call.line and each.args == call.args for each in perhaps_called(call.statement.value)):
@@ -85,6 +95,14 @@ def _is_plain(call: Invocation) -> bool:
         elif _may_leave((step,), call.func):
             return False
     return call.at >= len(call.func.fact.body)
+
+
+def _surely(func: Func) -> Iterator[Step]:
+    """The steps of a function up to the first one that may end it and leave the node running."""
+    for step in _without_braces(func.fact.flow):
+        yield step
+        if _may_leave((step,), func):
+            return
 
 
 def _without_braces(block: Block) -> Iterator[Step]:
