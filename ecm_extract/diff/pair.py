@@ -7,7 +7,7 @@ rename is one change.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 
 import msgspec
 from ecm_checker.hub.kinds import containers, kinds, kinds_that
@@ -19,6 +19,7 @@ from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.computed import Computed
 from ecm_extract.diff.file_moves import alone_in_moved_files, with_their_files
 from ecm_extract.diff.hidden_names import HiddenNames, is_hidden_in
+from ecm_extract.diff.kinship import kin, may_be_of
 from ecm_extract.diff.launched import NoLongerStarted
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
@@ -26,7 +27,6 @@ from ecm_extract.diff.moves import (
     GENERATED,
     Places,
     best_home,
-    is_private,
     is_reshaped,
     move_key,
     tail_of,
@@ -128,6 +128,7 @@ class Pairing:
         for found in list(node_pairs(self.old.values(), self.new.values(), self._known())):
             self.take(found)
         started = NoLongerStarted(self.all_old.values(), self.all_new.values())
+        self.pairs += [Pair(entity, None) for entity in started.unnamed(self.packages)]
         for side in (self.old, self.new):
             for entity in list(side.values()):
                 is_launched = entity.row.runs and entity.facet == LAUNCHED
@@ -316,14 +317,14 @@ class Pairing:
     def _assign(self, before: list[Provision], after: list[Provision]) -> None:
         if not before or not after:
             return
-        kin = set(_kin(self.pairs))
+        one = set(kin(self.pairs))
         scores: dict[tuple[int, int], float] = {}
         reasons: dict[tuple[int, int], str] = {}
         for row, old in enumerate(before):
             for column, new in enumerate(after):
                 if not self._parts.may_be_one(old, new) or is_hidden_in(old, new):
                     continue
-                known = _may_be_of(old, new) or (old.owner, new.owner) in kin
+                known = may_be_of(old, new) or (old.owner, new.owner) in one
                 found = score(old, new, self.evidence.files, self.evidence.history, known)
                 if found is not None:
                     scores[row, column], reasons[row, column] = found
@@ -331,21 +332,6 @@ class Pairing:
             confidence = round(min(0.99, scores[row, column]), 2)
             how: How = "moved" if before[row].name == after[column].name else "renamed"
             self.take(Pair(before[row], after[column], how, confidence, reasons[row, column]))
-
-
-def _kin(pairs: Iterable[Pair]) -> Iterator[tuple[str, str]]:
-    """Owners of which one became the other; that another node has a channel of a graph now says nothing of nodes."""
-    for pair in pairs:
-        old, new = pair.old, pair.new
-        if old is not None and new is not None and not (pair.how == "moved" and old.is_endpoint):
-            yield old.owner, new.owner
-
-
-def _may_be_of(old: Provision, new: Provision) -> bool:
-    """Whether it may be of another module than it was: a channel that is called so in its place, and not by a node."""
-    if not old.is_endpoint or (is_private(old) and old.name == new.name):
-        return not old.is_of_module
-    return last_part(old.name) == last_part(new.name)
 
 
 def _may_be(old: Provision, new: Provision) -> bool:

@@ -81,7 +81,7 @@ def _is_another(old: Provision, new: Provision, place: float, kin: bool) -> bool
     if is_private(old) and old.name == new.name and place < 1 and not kin:
         return True
     if old.row.fixed:
-        return old.default != new.default  # a list or a sum, of which no value is known, is no number or text
+        return bool(old.default != new.default)  # a list or a sum, of which no value is known, is no number or text
     described = old.row.included and old.path.endswith(_DESCRIPTIONS)
     return (old.row.of_file or described) and (place < 1 or _models(old.name) != _models(new.name))
 
