@@ -16,6 +16,7 @@ from ecm_extract.diff.conversions import returns_as_well, takes
 from ecm_extract.diff.deduced import deduced
 from ecm_extract.diff.keyword_only import has_keyword_only, takes_keywords
 from ecm_extract.diff.model import Pair
+from ecm_extract.diff.named_controllers import gone_controller
 from ecm_extract.diff.overriding import no_longer_overridable
 from ecm_extract.diff.similarity import words
 
@@ -272,7 +273,10 @@ def hidden(holder: Provision) -> Difference:
 
 
 def no_longer_set(entity: Provision) -> Difference:
-    """A parameter file that no longer sets a value leaves it to the node."""
+    """A parameter file that no longer sets a value leaves it to the node; one of a controller makes none."""
+    controller = gone_controller(entity)
+    if controller is not None:
+        return Difference("removed", True, controller)
     reason = "the file no longer sets it: the default of the node counts"
     return Difference("default_changed", False, reason, _dimension(entity.name), old_value=str(entity.default))
 
