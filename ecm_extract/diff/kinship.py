@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from ecm_checker.hub.provision import Provision
 
 from ecm_extract.diff.model import Pair
-from ecm_extract.diff.moves import is_private
+from ecm_extract.diff.moves import is_of_its_node
 from ecm_extract.diff.similarity import last_part
 
 
@@ -21,6 +21,6 @@ def kin(pairs: Iterable[Pair]) -> Iterator[tuple[str, str]]:
 
 def may_be_of(old: Provision, new: Provision) -> bool:
     """Whether it may be of another module than it was: a channel that is called so in its place, and not by a node."""
-    if not old.is_endpoint or (is_private(old) and old.name == new.name):
+    if not old.is_endpoint or is_of_its_node(old, new):
         return not old.is_of_module
     return last_part(old.name) == last_part(new.name)

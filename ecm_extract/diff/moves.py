@@ -111,6 +111,11 @@ def is_private(entity: Provision) -> bool:
     return entity.is_endpoint and entity.name.startswith("~")
 
 
+def is_of_its_node(old: Provision, new: Provision) -> bool:
+    """Whether only the node tells what a private channel is: its name is bare (`~/image`), or that of the other one."""
+    return is_private(old) and (old.name == new.name or old.name.count("/") == 1)
+
+
 def is_reshaped(old: Provision, new: Provision) -> bool:
     """Whether two parameter names differ only in a prefix that no artefact shows.
 

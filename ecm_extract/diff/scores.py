@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from ecm_checker.hub.provision import Provision
 
 from ecm_extract.diff.history import History
-from ecm_extract.diff.moves import is_private
+from ecm_extract.diff.moves import is_of_its_node
 from ecm_extract.diff.similarity import (
     SEPARATOR,
     last_part,
@@ -78,7 +78,7 @@ def score(
 
 def _is_another(old: Provision, new: Provision, place: float, kin: bool) -> bool:
     """Whether two cannot be one whatever their names: the number is what a constant means, `~/a` is of its node."""
-    if is_private(old) and old.name == new.name and place < 1 and not kin:
+    if is_of_its_node(old, new) and place < 1 and not kin:
         return True
     if old.row.fixed:
         return bool(old.default != new.default)  # a list or a sum, of which no value is known, is no number or text

@@ -328,12 +328,13 @@ def test_a_function_of_another_package_has_more_in_common_than_its_name(after: s
     assert {pair.how for pair in paired([old], [new])} == {how}
 
 
-def test_a_private_name_of_another_node_is_another_channel() -> None:
+@pytest.mark.parametrize("name", ["~/state", "~/result/state"])
+def test_a_private_name_of_another_node_is_another_channel(name: str) -> None:
     """`~/state` of one node is below the name of that node: another node that has one now has its own."""
     state: dict[str, Any] = {"type": "std_msgs/msg/String", "facet": "published"}
     old = [entity("topic", "~/state", "arm", path="src/arm.py", **state)]
-    new = [entity("topic", "~/state", "leg", path="src/leg.py", **state)]
-    assert shown(paired(old, new)) == [("~/state", None, "same"), (None, "~/state", "same")]
+    new = [entity("topic", name, "leg", path="src/leg.py", **state)]
+    assert shown(paired(old, new)) == [("~/state", None, "same"), (None, name, "same")]
 
 
 def test_that_a_public_channel_is_of_another_node_now_says_nothing_of_private_ones() -> None:
