@@ -266,7 +266,10 @@ EFFECTS: Final[tuple[Effect, ...]] = (
 
 
 def hidden(holder: Provision) -> Difference:
-    """Nothing declares a parameter by its name any more, and its node declares some by names that are not known."""
+    """Nothing declares a name any more, and its node or launch file declares some that are not known."""
+    if holder.row.is_placed:
+        said = f"no longer declared; what {holder.name} declares is not wholly known, and this may be a part of it"
+        return Difference("removed", False, said)
     what = holder.name if holder.is_value else "parameters by names that are not known"
     said = f"no longer declared by its name; {holder.node or holder.owner} declares {what}"
     return Difference("removed", False, f"{said}, and this may be one of them")

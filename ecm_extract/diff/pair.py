@@ -176,7 +176,8 @@ class Pairing:
     def _module_of(self, old: Provision) -> tuple[str, str]:
         """Package and owner that a module has now."""
         place = old.package, old.owner
-        return self.modules.get(place, (self.packages.get(old.package, old.package), old.owner))
+        owner = self.owners.get(old.owner, old.owner) if old.row.duty else old.owner
+        return self.modules.get(place, (self.packages.get(old.package, old.package), owner))
 
     def _known(self) -> Successions:
         return Successions(self.packages, self.owners, self.evidence.files)

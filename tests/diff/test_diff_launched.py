@@ -107,3 +107,27 @@ def test_a_program_without_a_name_that_is_no_longer_started(changes, case: str) 
     assert [(each["change"], each["owner"], each["old"]) for each in found] == [
         ("removed", "all.launch.xml", name) for name in lost
     ]
+
+
+MADE = """from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+{}
+
+def generate_launch_description():
+    return {}
+"""
+RETURNED = {
+    "by a function of others": ("from helpers import made", "made('arm')", False),
+    "by a function of others, in a list": ("from helpers import made", "LaunchDescription([made('arm')])", False),
+    "here": ("", "LaunchDescription([DeclareLaunchArgument('rate')])", True),
+}
+
+
+@pytest.mark.parametrize("case", RETURNED)
+def test_an_argument_of_a_description_that_others_make(changes, case: str) -> None:  # type: ignore[no-untyped-def]
+    """They may declare it: it is told as a doubt, and the verdict is not the all-clear."""
+    imported, returned, breaks = RETURNED[case]
+    old = '<launch><arg name="depth" default="1"/><arg name="rate" default="1"/></launch>\n'
+    new = {"arm/launch/all.launch": None, "arm/launch/all.launch.py": MADE.format(imported, returned)}
+    found = changes({"arm/launch/all.launch": old}, new)
+    assert [each["breaking"] for each in found if each["old"] == "depth"] == [breaks]
