@@ -12,8 +12,10 @@ from ecm_parsers.source.flow import Block, Branch, Leave, Step
 from ecm_extract.infer.raising_calls import operation
 from ecm_extract.link.code.calls import Invocation, dotted_name
 from ecm_extract.link.code.spelling import last_name
+from ecm_extract.shipped import shipped_names
 
 _ALWAYS: Final = "always"
+_CHECKS: Final = "link/endpoints/checks.toml"
 
 
 class Asked(msgspec.Struct, frozen=True):
@@ -36,7 +38,10 @@ class Asked(msgspec.Struct, frozen=True):
 
 def ends_without(asked: Asked, steps: Iterator[Step]) -> bool:
     """Whether one of the steps that a function surely gets to ends the node where a parameter is not set."""
+    body = asked.call.func.fact.body
     for step in steps:
+        if isinstance(step, int) and _is_checked(body[step].value, asked):
+            return True
         if isinstance(step, Branch):
             missing = any(map(asked.is_in, _negated(step.test)))
             there = any(map(asked.is_in, _parts(step.test, "&&")))
@@ -44,6 +49,15 @@ def ends_without(asked: Asked, steps: Iterator[Step]) -> bool:
             if any(fails and _ends(side, asked.call, asked.language) for fails, side in sides):
                 return True
     return False
+
+
+def _is_checked(value: Expr | None, asked: Asked) -> bool:
+    """Whether a statement is a check of what is asked: `CHECK(nh.getParam("a", a)) << "none"`."""
+    while isinstance(value, Op) and value.op == "<<":
+        value = value.operands[0]
+    if not isinstance(value, Call) or dotted_name(value.callee) not in shipped_names(_CHECKS, "cpp"):
+        return False
+    return any(asked.is_in(part) for each in value.args for part in _parts(each, "&&"))
 
 
 def _negated(test: Expr) -> Iterator[Expr]:

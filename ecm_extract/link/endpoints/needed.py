@@ -99,7 +99,8 @@ def _is_plain(call: Invocation) -> bool:
 
 def _surely(func: Func) -> Iterator[Step]:
     """The steps of a function up to the first one that may end it and leave the node running."""
-    for step in _without_braces(func.fact.flow):
+    straight = tuple(range(len(func.fact.body)))  # one without any branch has no flow of its own
+    for step in _without_braces(func.fact.flow or straight):
         yield step
         if _may_leave((step,), func):
             return
