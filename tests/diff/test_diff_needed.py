@@ -149,3 +149,14 @@ def test_a_new_parameter_that_a_node_ends_without(changes, line: str, breaks: bo
         (each["new"], each["breaking"]) for each in found if each["kind"] == "parameter" and each["new"] == "depth"
     ]
     assert added == [("depth", breaks)]
+
+
+def test_a_node_of_another_name(changes) -> None:  # type: ignore[no-untyped-def]
+    """Whoever started its program before starts it now, and must set what it needs."""
+    make = "project(arm)\nadd_executable({0} src/{0}.cpp)\n"
+    old = {"arm/package.xml": ROS1.replace("rospy", "roscpp"), "arm/CMakeLists.txt": make.format("arm")}
+    line = f"if ({MISSING}) {{ throw 1; }}"
+    named = NODE1.format(line).replace('"arm")', '"arm_node")')
+    new = {"arm/CMakeLists.txt": make.format("arm_node"), "arm/src/arm.cpp": None, "arm/src/arm_node.cpp": named}
+    found = changes({**old, "arm/src/arm.cpp": NODE1.format("")}, new)
+    assert [each["breaking"] for each in found if each["new"] == "depth"] == [True]
