@@ -65,7 +65,7 @@ def _read(tree: ast.Module, sources: Sources | None) -> Parsed[LaunchFile | None
     if isinstance(made, tuple) and made:
         made = made[0]  # generate_test_description returns (description, context)
     if not isinstance(made, Description | list):
-        rest = (Unread(line=entry.node.lineno, text=entry.node.name),) if made is not None else ()
+        rest = (Unread(line=entry.node.lineno, text=ENTRY_POINTS[0]),) if made is not None else ()
         return Parsed(LaunchFile(2, actions_of(made) or rest), (*problems, _unread(entry, made)))
     doubts = interpreter.doubts
     return Parsed(LaunchFile(2, actions_of(made), doubts.texts), (*problems, *doubts.told()))
