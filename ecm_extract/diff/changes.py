@@ -32,7 +32,7 @@ def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
     listed = list(with_inherited_virtual(pairs, new.entities))
     gone = {pair.old.key[:4] for pair in listed if pair.old is not None and pair.new is None}
     fresh = {pair.new.key[:4] for pair in listed if pair.new is not None and pair.old is None}
-    duties = old_duties((pair.new for pair in listed if pair.new is not None and pair.old is None), old)
+    duties = old_duties(listed, old)
     found = [located for pair in listed for located in _of_pair(pair, gone, fresh, duties)]
     found += [_nested(pair, path) for pair, path in nested_changes(listed, old, new)]
     found += [_otherwise(pair, how) for pair, how in own_changes(listed, _altered(found), old, new)]

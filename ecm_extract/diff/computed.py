@@ -11,6 +11,8 @@ from ecm_checker.hub.provision import HOLE, Provision
 
 _LEAST_KNOWN = 4
 """Letters that a pattern must show: `<*>/a` fits half of all names."""
+_ANYWHERE = f"/{HOLE}/"
+"""What a handle of a namespace that is not known puts before a name: that of the node, any other, or none."""
 
 
 class Computed:
@@ -43,8 +45,10 @@ def may_be_one(one: str, other: str) -> bool:
     pattern, name = (one, other) if HOLE in one else (other, one)
     if len(_known(pattern)) < _LEAST_KNOWN:
         return False
-    fixed = [re.escape(part) for part in pattern.lstrip("~/").split(HOLE)]
-    return re.fullmatch(with_gaps(fixed, ".+"), name.lstrip("~/")) is not None
+    anywhere = pattern.startswith(_ANYWHERE)
+    fixed = [re.escape(part) for part in pattern.removeprefix(_ANYWHERE).lstrip("~/").split(HOLE)]
+    below = "(?:.*/)?" if anywhere else ""
+    return re.fullmatch(below + with_gaps(fixed, ".+"), name.lstrip("~/")) is not None
 
 
 def _known(pattern: str) -> list[str]:

@@ -7,18 +7,29 @@ from collections.abc import Iterable
 from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.match.hierarchy import Bases
 
+from ecm_extract.diff.model import Pair
 from ecm_extract.entities.side import Side
 
 
-def old_duties(added: Iterable[Provision], old: Side) -> frozenset[Key]:
+def old_duties(pairs: Iterable[Pair], old: Side) -> frozenset[Key]:
     """Return the keys of additions that ask nothing new: a base of elsewhere did, or nobody ran what asks now."""
-    listed = list(added)
-    return _of_new_nodes(listed, old) | _asked_before(listed, old)
+    listed = list(pairs)
+    added = [pair.new for pair in listed if pair.new is not None and pair.old is None]
+    return _of_new_nodes(added, old, _under_other_names(listed)) | _asked_before(added, old)
 
 
-def _of_new_nodes(added: Iterable[Provision], old: Side) -> frozenset[Key]:
+def _under_other_names(pairs: Iterable[Pair]) -> set[tuple[str, str]]:
+    """Modules that offer what one of another name offered: whoever started that starts these."""
+    return {
+        (pair.new.package, pair.new.owner)
+        for pair in pairs
+        if pair.old is not None and pair.new is not None and pair.how == "same" and pair.new.is_of_module
+    }
+
+
+def _of_new_nodes(added: Iterable[Provision], old: Side, others: set[tuple[str, str]]) -> frozenset[Key]:
     """Parameters of what nobody started before."""
-    modules = {(entity.package, entity.owner) for entity in old.entities.values() if entity.is_of_module}
+    modules = {(entity.package, entity.owner) for entity in old.entities.values() if entity.is_of_module} | others
     needed = (entity for entity in added if entity.needed)
     return frozenset(entity.key for entity in needed if (entity.package, entity.owner) not in modules)
 

@@ -16,6 +16,7 @@ from ecm_extract.diff.conversions import returns_as_well, takes
 from ecm_extract.diff.deduced import deduced
 from ecm_extract.diff.keyword_only import has_keyword_only, takes_keywords
 from ecm_extract.diff.model import Pair
+from ecm_extract.diff.named_controllers import gone_controller
 from ecm_extract.diff.overriding import no_longer_overridable
 from ecm_extract.diff.similarity import words
 
@@ -265,14 +266,20 @@ EFFECTS: Final[tuple[Effect, ...]] = (
 
 
 def hidden(holder: Provision) -> Difference:
-    """Nothing declares a parameter by its name any more, and its node declares some by names that are not known."""
+    """Nothing declares a name any more, and its node or launch file declares some that are not known."""
+    if holder.row.is_placed:
+        said = f"no longer declared; what {holder.name} declares is not wholly known, and this may be a part of it"
+        return Difference("removed", False, said)
     what = holder.name if holder.is_value else "parameters by names that are not known"
     said = f"no longer declared by its name; {holder.node or holder.owner} declares {what}"
     return Difference("removed", False, f"{said}, and this may be one of them")
 
 
 def no_longer_set(entity: Provision) -> Difference:
-    """A parameter file that no longer sets a value leaves it to the node."""
+    """A parameter file that no longer sets a value leaves it to the node; one of a controller makes none."""
+    controller = gone_controller(entity)
+    if controller is not None:
+        return Difference("removed", True, controller)
     reason = "the file no longer sets it: the default of the node counts"
     return Difference("default_changed", False, reason, _dimension(entity.name), old_value=str(entity.default))
 

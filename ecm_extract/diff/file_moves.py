@@ -34,13 +34,29 @@ def alone_in_moved_files(
             yield Pair(before[0], after[0], "renamed", _ALONE, f"gone and new; {where}")
 
 
+def with_their_files(
+    removed: Iterable[Provision], added: Iterable[Provision], files: Mapping[str, str]
+) -> Iterator[Pair]:
+    """Yield what a file that moved still has, of parts whose owner is that file: arguments of descriptions."""
+    came = {(entity.kind, entity.path, entity.name): entity for entity in added if _is_of_its_file(entity)}
+    for entity in removed:
+        target = files.get(entity.path)
+        found = came.get((entity.kind, target, entity.name)) if target is not None else None
+        if found is not None and _is_of_its_file(entity):
+            yield Pair(entity, found)
+
+
+def _is_of_its_file(entity: Provision) -> bool:
+    return entity.row.part and bool(entity.owner) and f"/{entity.path}".endswith(f"/{entity.owner}")
+
+
 def _package_moved(
     folder: str, files: Mapping[str, str], came: Mapping[str, Sequence[Provision]]
 ) -> tuple[str | None, str]:
     """The folder of the package that one became, and by what that is seen."""
     if len(came.get(folder, ())) == 1:
         return folder, "the manifest in its folder names it so"
-    return _folder_moved(folder, files), "git sees that its files move there"
+    return folder_moved(folder, files), "git sees that its files move there"
 
 
 def _by_place(kind: str, entities: Iterable[Provision]) -> dict[str, list[Provision]]:
@@ -55,7 +71,7 @@ def _folder(path: str) -> str:
     return path.rpartition("/")[0]
 
 
-def _folder_moved(folder: str, files: Mapping[str, str]) -> str | None:
+def folder_moved(folder: str, files: Mapping[str, str]) -> str | None:
     """The folder with a manifest or sources that most files of a folder moved to; None when they scattered."""
     targets: dict[str, int] = defaultdict(int)
     total = 0

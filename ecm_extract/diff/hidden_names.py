@@ -1,10 +1,13 @@
-"""Parameters that nothing declares by their name any more, in modules that now declare some by names not known."""
+"""What nothing declares by its name any more where names are declared now that are not known.
+
+Parameters of modules that compute names, arguments of launch files that leave their description to others.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ecm_checker.hub.provision import Provision
+from ecm_checker.hub.provision import HOLE, Provision
 
 from ecm_extract.diff.computed import may_be_one
 from ecm_extract.diff.model import Located
@@ -23,7 +26,11 @@ class HiddenNames:
         self._open_before = {_module(each) for each in before if each.row.runs and each.open}
         self._open: dict[Module, Provision] = {}
         self._patterns: dict[Module, list[Provision]] = {}
+        self._unread_before = {_module(each) for each in before if each.row.is_placed and HOLE in each.bases}
+        self._unread: dict[Module, Provision] = {}
         for each in new:
+            if each.row.is_placed and HOLE in each.bases:
+                self._unread[_module(each)] = each
             if each.row.runs and each.open:
                 self._open.setdefault(_module(each), each)
             elif each.is_value and each.is_computed and each.key not in known:
@@ -34,11 +41,18 @@ class HiddenNames:
 
         That is a pattern which came with that side and fits the name, or a node with names of which nothing is known.
         """
+        if lost.row.duty and (lost.package, lost.owner) not in self._unread_before:
+            return self._unread.get(module)
         if not lost.is_value:
             return None
         fitting = (each for each in self._patterns.get(module, ()) if may_be_one(lost.name, each.name))
         is_new = (lost.package, lost.owner) not in self._open_before
         return next(fitting, self._open.get(module) if is_new else None)
+
+
+def is_hidden_in(old: Provision, new: Provision) -> bool:
+    """Whether a pattern may stand for a parameter as it was called: then that has no other name."""
+    return old.is_value and not old.is_computed and new.is_computed and may_be_one(old.name, new.name)
 
 
 def hiding_files(located: Iterable[Located]) -> tuple[UnreadPart, ...]:
@@ -48,4 +62,4 @@ def hiding_files(located: Iterable[Located]) -> tuple[UnreadPart, ...]:
 
 
 def _module(node: Provision) -> Module:
-    return node.package, node.node or node.owner
+    return node.package, node.node or node.owner or node.name

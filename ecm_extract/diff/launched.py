@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
+import msgspec
 from ecm_checker.hub.provision import HOLE, LAUNCHED, Provision
 
 File = tuple[str, str]
@@ -16,13 +17,17 @@ class Launches:
 
     def __init__(self, entities: Iterable[Provision]) -> None:
         self._runs: dict[File, tuple[str, ...]] = {}
+        self.files: list[Provision] = []
+        self.named_runs: set[tuple[File, str]] = set()
         self._named: dict[File, set[str]] = defaultdict(set)
         self._programs: set[str] = set()
         for each in entities:
             if each.row.is_placed:
                 self._runs[each.package, each.name] = each.bases
+                self.files.append(each)
             elif each.row.runs and each.facet == LAUNCHED:
                 self._named[each.package, each.owner].add(each.name)
+                self.named_runs.add(((each.package, each.owner), _run_of(each)))
             elif each.row.started:
                 self._programs.add(f"{each.package}/{each.name}")
 
@@ -37,6 +42,10 @@ class Launches:
     def names(self, file: File) -> set[str]:
         """Return the names that a file and those that it includes give to nodes."""
         return {name for each in self._reached(file) for name in self._named.get(each, ())}
+
+    def is_file(self, run: str) -> bool:
+        """Whether what runs is another launch file of the tree."""
+        return self._file(run) is not None
 
     def has_program(self, run: str) -> bool:
         """Whether a program is one of the packages of the tree, as far as these are known."""
@@ -71,13 +80,34 @@ class NoLongerStarted:
             node: with a name that a launch file of the old side gave it.
             package: the one that it is in now.
         """
-        file, now = (node.package, node.owner), (package, node.owner)
+        now = package, node.owner
         run = _run_of(node)
+        return self._is_lost(run, (node.package, node.owner), now) and node.name not in self._new.names(now)
+
+    def unnamed(self, packages: Mapping[str, str]) -> Iterator[Provision]:
+        """Yield what launch files of the old side ran without a name, as a node that is called as what it runs.
+
+        One that is new of its package may have come in its place. `packages` are new names of packages.
+        """
+        for each in self._old.files:
+            file, now = (each.package, each.name), (packages.get(each.package, each.package), each.name)
+            for run in each.bases:
+                is_named = (file, run) in self._old.named_runs or self._old.is_file(run) or _is_launch(run)
+                if not is_named and self._is_lost(run, file, now) and not self._is_replaced(run, file, now):
+                    yield msgspec.structs.replace(
+                        each, kind="node", facet=LAUNCHED, owner=each.name, name=run, bases=(run,), open=False
+                    )
+
+    def _is_lost(self, run: str, file: File, now: File) -> bool:
         if HOLE in run or not self._old.has(file) or not self._new.has(now) or self._is_gone(run):
             return False
         before, after = self._old.runs(file), self._new.runs(now)
         unknown = HOLE in after or any(_is_launch(each) for each in after - before)
-        return not unknown and run not in after and node.name not in self._new.names(now)
+        return not unknown and run not in after
+
+    def _is_replaced(self, run: str, file: File, now: File) -> bool:
+        came = self._new.runs(now) - self._old.runs(file)
+        return any(each.partition("/")[0] == run.partition("/")[0] for each in came)
 
     def _is_gone(self, run: str) -> bool:
         """Whether its program is gone or has another name, which is told of the program."""

@@ -106,6 +106,16 @@ def move_key(entity: Provision) -> tuple[str, str, str]:
     return entity.kind, entity.facet, name
 
 
+def is_private(entity: Provision) -> bool:
+    """Whether a channel is called below the name of its node, so that another node has another one."""
+    return entity.is_endpoint and entity.name.startswith("~")
+
+
+def is_of_its_node(old: Provision, new: Provision) -> bool:
+    """Whether only the node tells what a private channel is: its name is bare (`~/image`), or that of the other one."""
+    return is_private(old) and (old.name == new.name or old.name.count("/") == 1)
+
+
 def is_reshaped(old: Provision, new: Provision) -> bool:
     """Whether two parameter names differ only in a prefix that no artefact shows.
 
@@ -128,7 +138,7 @@ def _is_likely(old: Provision, new: Provision, places: Places) -> bool:
         return False
     if _same_file(old, new, places.files):
         return True
-    if not same_language(old, new) or (old.row.is_file and new.path in places.before):
+    if not same_language(old, new) or is_private(old) or (old.row.is_file and new.path in places.before):
         return False
     if old.is_of_module:
         return places.same_package(old, new) and shape_equal(old, new) >= 0.5 and not old.name.startswith(HOLE)

@@ -17,12 +17,21 @@ from ecm_checker.match.hierarchy import Bases
 
 from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.computed import Computed
-from ecm_extract.diff.file_moves import alone_in_moved_files
-from ecm_extract.diff.hidden_names import HiddenNames
+from ecm_extract.diff.file_moves import alone_in_moved_files, with_their_files
+from ecm_extract.diff.hidden_names import HiddenNames, is_hidden_in
+from ecm_extract.diff.kinship import kin, may_be_of
 from ecm_extract.diff.launched import NoLongerStarted
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
-from ecm_extract.diff.moves import GENERATED, Places, best_home, is_reshaped, move_key, tail_of, values_by_place
+from ecm_extract.diff.moves import (
+    GENERATED,
+    Places,
+    best_home,
+    is_reshaped,
+    move_key,
+    tail_of,
+    values_by_place,
+)
 from ecm_extract.diff.nodes import Successions, node_pairs
 from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.same_line import same_lines
@@ -119,6 +128,7 @@ class Pairing:
         for found in list(node_pairs(self.old.values(), self.new.values(), self._known())):
             self.take(found)
         started = NoLongerStarted(self.all_old.values(), self.all_new.values())
+        self.pairs += [Pair(entity, None) for entity in started.unnamed(self.packages)]
         for side in (self.old, self.new):
             for entity in list(side.values()):
                 is_launched = entity.row.runs and entity.facet == LAUNCHED
@@ -166,7 +176,8 @@ class Pairing:
     def _module_of(self, old: Provision) -> tuple[str, str]:
         """Package and owner that a module has now."""
         place = old.package, old.owner
-        return self.modules.get(place, (self.packages.get(old.package, old.package), old.owner))
+        owner = self.owners.get(old.owner, old.owner) if old.row.duty else old.owner
+        return self.modules.get(place, (self.packages.get(old.package, old.package), owner))
 
     def _known(self) -> Successions:
         return Successions(self.packages, self.owners, self.evidence.files)
@@ -191,6 +202,8 @@ class Pairing:
                 target = next((self.new[key] for key in wanted if key in self.new), None)
                 if target is not None:
                     self.take(Pair(entity, target))
+        for found in list(with_their_files(self.old.values(), self.new.values(), self.evidence.files)):
+            self.take(found)
 
     def _inherited(self) -> None:
         """A method that is now in a base class of its class is still there."""
@@ -305,14 +318,14 @@ class Pairing:
     def _assign(self, before: list[Provision], after: list[Provision]) -> None:
         if not before or not after:
             return
-        kin = {(pair.old.owner, pair.new.owner) for pair in self.pairs if pair.old is not None and pair.new is not None}
+        one = set(kin(self.pairs))
         scores: dict[tuple[int, int], float] = {}
         reasons: dict[tuple[int, int], str] = {}
         for row, old in enumerate(before):
             for column, new in enumerate(after):
-                if not self._parts.may_be_one(old, new):
+                if not self._parts.may_be_one(old, new) or is_hidden_in(old, new):
                     continue
-                known = _may_be_of(old, new) or (old.owner, new.owner) in kin
+                known = may_be_of(old, new) or (old.owner, new.owner) in one
                 found = score(old, new, self.evidence.files, self.evidence.history, known)
                 if found is not None:
                     scores[row, column], reasons[row, column] = found
@@ -320,11 +333,6 @@ class Pairing:
             confidence = round(min(0.99, scores[row, column]), 2)
             how: How = "moved" if before[row].name == after[column].name else "renamed"
             self.take(Pair(before[row], after[column], how, confidence, reasons[row, column]))
-
-
-def _may_be_of(old: Provision, new: Provision) -> bool:
-    """Whether it may be of another module than it was: a channel that is called so in its place."""
-    return not old.is_of_module or (old.is_endpoint and last_part(old.name) == last_part(new.name))
 
 
 def _may_be(old: Provision, new: Provision) -> bool:

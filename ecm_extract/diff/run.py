@@ -18,6 +18,7 @@ from ecm_extract.diff.consumers import uses_of
 from ecm_extract.diff.git_renames import renamed_files
 from ecm_extract.diff.hidden_names import hiding_files
 from ecm_extract.diff.history import History
+from ecm_extract.diff.likened_packages import without_likened
 from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Pairing
 from ecm_extract.diff.sides import Sides, both_sides, consumers_of
@@ -134,7 +135,7 @@ def _unread_of(origin: Tree | Stored) -> Sequence[Unread]:
 
 def located_changes(request: Request, old: Side, new: Side) -> list[Located]:
     """Pair the entities of two sides, and return what changed."""
-    files = renamed_files(old, new, request.repo)
+    files = without_likened(renamed_files(old, new, request.repo), old, new)
     evidence = Evidence(
         files, History(old, new, request.repo), new.bound, new.quoted, new.reads, before=frozenset(old.blobs)
     )

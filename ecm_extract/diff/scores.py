@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from ecm_checker.hub.provision import Provision
 
 from ecm_extract.diff.history import History
+from ecm_extract.diff.moves import is_of_its_node
 from ecm_extract.diff.similarity import (
     SEPARATOR,
     last_part,
@@ -52,7 +53,7 @@ def score(
     place, where = _place(old, new, files)
     if not may_be_alike(old, new) and place < 1:
         return None
-    if _is_another(old, new, place) or not same_language(old, new):
+    if _is_another(old, new, place, kin) or not same_language(old, new):
         return None
     name = name_similarity(stem(old), stem(new))
     shape = shape_equal(old, new)
@@ -75,10 +76,12 @@ def score(
     return total, _reason(name, shape, where, written)
 
 
-def _is_another(old: Provision, new: Provision, place: float) -> bool:
-    """Whether two cannot be one whatever their names: the number is what a constant means."""
+def _is_another(old: Provision, new: Provision, place: float, kin: bool) -> bool:
+    """Whether two cannot be one whatever their names: the number is what a constant means, `~/a` is of its node."""
+    if is_of_its_node(old, new) and place < 1 and not kin:
+        return True
     if old.row.fixed:
-        return old.default != new.default and None not in (old.default, new.default)
+        return bool(old.default != new.default)  # a list or a sum, of which no value is known, is no number or text
     described = old.row.included and old.path.endswith(_DESCRIPTIONS)
     return (old.row.of_file or described) and (place < 1 or _models(old.name) != _models(new.name))
 

@@ -31,3 +31,15 @@ def test_constants_of_classes_and_of_namespaces(
     classes = [entity("class", name, "", path="include/pkg/limits.hpp") for name in holders]
     pairs = paired([old, *classes], [new, *classes])
     assert {pair.how for pair in pairs if (pair.old or pair.new).kind == "constant"} == how  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "how"),
+    [("DEFAULT_OFFSET", None, "removed"), ("OFFSET_ADDRESS", 85, "renamed"), ("OFFSET_ADDRESS", 86, "removed")],
+)
+def test_a_constant_whose_value_is_not_known_is_not_a_number(name: str, value: int | None, how: str) -> None:
+    """A list that is called alike means something else than a number did; the same number is the same thing."""
+    old = entity("constant", "OFFSET", "pkg.registers", default=85, path="pkg/registers.py")
+    new = entity("constant", name, "pkg.registers", default=value, path="pkg/registers.py")
+    pairs = paired([old], [new])
+    assert {"renamed" if pair.how == "renamed" else "removed" for pair in pairs} == {how}

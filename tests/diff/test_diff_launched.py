@@ -77,3 +77,57 @@ def test_a_program_that_is_gone_explains_its_node(told) -> None:  # type: ignore
     old = {"arm/package.xml": ROS1, "arm/CMakeLists.txt": make, **sources, **_launch(ARM, hand)}
     new = {"arm/CMakeLists.txt": make.replace("add_executable(hand src/b.cpp)\n", ""), **_launch(ARM)}
     assert told(old, new) == {("executable", "removed", "hand", None)}
+
+
+UNNAMED = '<node pkg="{0}" exec="{0}"/>'
+COMPONENT = '<load_composable_node target="c"><composable_node pkg="{0}" plugin="{0}::Node"/></load_composable_node>'
+SOME = {
+    "taken out": ((UNNAMED.format("leg"),), (), ["leg/leg"]),
+    "a component taken out": ((COMPONENT.format("leg"),), (), ["leg/Node"]),
+    "it has a name now": ((UNNAMED.format("leg"),), (UNNAMED.format("leg").replace("/>", ' name="left"/>'),), []),
+    "another of its package came": ((UNNAMED.format("leg"),), ('<node pkg="leg" exec="leg2"/>',), []),
+    "it is included now": (
+        (UNNAMED.format("leg"),),
+        ('<include file="$(find-pkg-share arm)/launch/legs.launch.xml"/>',),
+        [],
+    ),
+}
+
+
+@pytest.mark.parametrize("case", SOME)
+def test_a_program_without_a_name_that_is_no_longer_started(changes, case: str) -> None:  # type: ignore[no-untyped-def]
+    """It is told by what it runs, as nobody who reads the launch file knows how it calls itself."""
+    before, after, lost = SOME[case]
+    arm, legs = UNNAMED.format("arm"), {"arm/launch/legs.launch.xml": f"<launch>{UNNAMED.format('leg')}</launch>"}
+
+    def files(*lines: str) -> Files:
+        return {"arm/launch/all.launch.xml": "\n".join(("<launch>", arm, *lines, "</launch>")), **legs}
+
+    found = [each for each in changes(files(*before), files(*after)) if each["kind"] == "node" and each["breaking"]]
+    assert [(each["change"], each["owner"], each["old"]) for each in found] == [
+        ("removed", "all.launch.xml", name) for name in lost
+    ]
+
+
+MADE = """from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+{}
+
+def generate_launch_description():
+    return {}
+"""
+RETURNED = {
+    "by a function of others": ("from helpers import made", "made('arm')", False),
+    "by a function of others, in a list": ("from helpers import made", "LaunchDescription([made('arm')])", False),
+    "here": ("", "LaunchDescription([DeclareLaunchArgument('rate')])", True),
+}
+
+
+@pytest.mark.parametrize("case", RETURNED)
+def test_an_argument_of_a_description_that_others_make(changes, case: str) -> None:  # type: ignore[no-untyped-def]
+    """They may declare it: it is told as a doubt, and the verdict is not the all-clear."""
+    imported, returned, breaks = RETURNED[case]
+    old = '<launch><arg name="depth" default="1"/><arg name="rate" default="1"/></launch>\n'
+    new = {"arm/launch/all.launch": None, "arm/launch/all.launch.py": MADE.format(imported, returned)}
+    found = changes({"arm/launch/all.launch": old}, new)
+    assert [each["breaking"] for each in found if each["old"] == "depth"] == [breaks]

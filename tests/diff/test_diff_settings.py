@@ -135,3 +135,51 @@ def test_a_file_that_users_got_lies_elsewhere(told) -> None:  # type: ignore[no-
     old = {CONFIG: FILE % "10", "arm/CMakeLists.txt": rules}
     found = told(old, {CONFIG: None, "arm/params/arm.yaml": FILE % "10"})
     assert found == {("parameter_file", "moved", "config/arm.yaml", "params/arm.yaml")}
+
+
+MANAGER = (
+    "controller_manager:\n  ros__parameters:\n    {0}:\n      type: {1}\n{0}:\n  ros__parameters:\n    joints: [a]\n"
+)
+DRIVE = "diff_drive_controller/DiffDriveController"
+MANAGED = f"controller_manager:\n  ros__parameters:\n    base:\n      type: {DRIVE}\n"
+RULES = {"arm/CMakeLists.txt": CMAKE % "install(DIRECTORY config DESTINATION share/arm)\n"}
+CONTROLLERS = {
+    "another name": (MANAGER.format("base", DRIVE), MANAGER.format("wheels", DRIVE), {("renamed", "wheels")}),
+    "none any more": (
+        MANAGED,
+        MANAGED.replace("base", "rate").replace(f"\n      type: {DRIVE}", " 1"),
+        {("removed", None)},
+    ),
+    "another of another type": (MANAGED, MANAGED.replace("base", "arm").replace(DRIVE, "a/B"), {("removed", None)}),
+    "two others": (MANAGED, MANAGED.replace("base", "a") + f"    b:\n      type: {DRIVE}\n", {("removed", None)}),
+    "still there": (MANAGED, MANAGED + "    rate: 1\n", set()),
+}
+
+
+@pytest.mark.parametrize("case", CONTROLLERS)
+def test_a_controller_of_a_file(changes, case: str) -> None:  # type: ignore[no-untyped-def]
+    """It is known by its name: whoever starts it or sends to it by that needs the new one."""
+    old, new, told = CONTROLLERS[case]
+    found = [each for each in changes({CONFIG: old, **RULES}, {CONFIG: new}) if each["breaking"]]
+    assert {(each["change"], each["new"]) for each in found} == {
+        (how, name and f"controller_manager.{name}.type") for how, name in told
+    }
+
+
+def test_a_controller_that_another_file_has(changes) -> None:  # type: ignore[no-untyped-def]
+    """It has its name still, wherever it is written."""
+    found = changes(
+        {CONFIG: MANAGED, **RULES}, {CONFIG: "arm:\n  ros__parameters:\n    a: 1\n", "arm/config/b.yaml": MANAGED}
+    )
+    assert not [each for each in found if each["breaking"]]
+
+
+def test_a_controller_of_ros_1(changes) -> None:  # type: ignore[no-untyped-def]
+    """There its settings stand below its name, and are told by the new one."""
+    launch = {"arm/package.xml": ROS1, "arm/launch/a.launch": LAUNCH1}
+    file = "{}:\n  type: position_controllers/JointTrajectoryController\n  rate: {}\n"
+    found = changes({CONFIG: file.format("arm", 1), **launch}, {CONFIG: file.format("leg", 2)})
+    assert [(each["change"], each["old"], each["new"], each["breaking"]) for each in found] == [
+        ("renamed", "arm/type", "leg/type", True),
+        ("default_changed", "arm/rate", "leg/rate", False),
+    ]

@@ -58,8 +58,9 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         latch: position of the flag that keeps the last message for who comes later (ROS 1).
         undeclared: the row holds only where the node takes parameters that it does not declare.
         reads: the call declares nothing, and its row holds only where somebody does or the node takes any.
+        asks: the call that only tells whether the parameter is set; both may stand in a test that ends the node.
         transport: position of the transport of a subscription, or `hints` where an object among the arguments has it.
-        needed: a call with a template argument and without a default stops the node where nobody sets the parameter.
+        needed: a call without a default (C++: with a template argument) stops the node where nobody sets the parameter.
     """
 
     callee: str
@@ -92,6 +93,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     undeclared: bool = False
     reads: bool = False
     needed: bool = False
+    asks: str = ""
     transport: str = ""
 
     def __post_init__(self) -> None:

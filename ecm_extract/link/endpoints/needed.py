@@ -5,18 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
-from ecm_parsers.source.expr import Constant
+from ecm_parsers.source.expr import Constant, Name, Op, Text
 from ecm_parsers.source.flow import Block, Branch, Leave, Step, blocks
 
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.walk import perhaps_called
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.endpoints.demanded import Asked, ends_without
 from ecm_extract.link.owning.modules import Modules
 
 _DESCRIPTOR: Final = "ParameterDescriptor"
 _MAIN: Final = "main"
+_PYTHON: Final = "python"
+_ENTERED: Final = (Constant("true"), Op("==", (Name("__name__"), Text("__main__"))))
+"""Tests of blocks that stand by themselves, and of what a script does where it is run."""
 
 
 class Needed:
@@ -34,14 +39,19 @@ class Needed:
 
     def has(self, site: Site) -> bool:
         """Whether a site is so; a second argument may be its descriptor alone."""
-        call = site.call
-        if not site.form.needed or not call.types or call.keywords or not site.certain:
+        if not site.certain or not all(map(_is_plain, site.chain)):
             return False
-        others = call.args[1:]
+        throws = site.form.needed and not site.call.keywords and self._is_bare(site) and _is_plain(site.call)
+        return (throws or _is_demanded(site)) and self._is_reached(site.root)
+
+    def _is_bare(self, site: Site) -> bool:
+        """Whether nothing is given beside the name; C++ tells the type as a template argument then."""
+        others = site.call.args[1:]
+        if site.form.language == _PYTHON:
+            return not others
         types = self.sites.folder.objects
-        if others and last_name(types.type_of(others[0], site.env)) != _DESCRIPTOR:
-            return False
-        return all(_is_plain(each) for each, _ in site.steps()) and self._is_reached(site.root)
+        is_described = not others or last_name(types.type_of(others[0], site.env)) == _DESCRIPTOR
+        return bool(site.call.types) and is_described
 
     def _is_reached(self, func: Func) -> bool:
         """Whether each run of a node enters a function: by its constructor, through calls that nothing decides."""
@@ -54,15 +64,25 @@ class Needed:
     def _is_entered(self, func: Func) -> bool:
         if func.is_constructor and func.cls is not None and self.modules.is_module(func.cls):
             return True
-        if func.cls is None and func.fact.name == _MAIN:
+        if func.cls is None and (func.fact.name == _MAIN or self.modules.is_program(func)):
             return True
         if func.is_constructor and func.cls is not None:
             return any(_is_plain(call) and self._is_reached(call.func) for call in self.sites.makers(func.cls))
         return any(_is_plain(call) and self._is_reached(call.func) for call in self.sites.callers(func))
 
 
+def _is_demanded(site: Site) -> bool:
+    """Whether the function of a site ends the node where what it asks for is not set."""
+    if not site.form.asks:
+        return False
+    asked = Asked(site.call, site.form.language, site.form.asks)
+    return ends_without(asked, _surely(site.call.func))
+
+
 def _is_plain(call: Invocation) -> bool:
     """Whether each run of its function gets to a call: no branch, loop or attempt is around it, no return before it."""
+    if any(each.line == call.line and each.args == call.args for each in perhaps_called(call.statement.value)):
+        return False
     block = call.func.fact.flow
     if not block:
         return True
@@ -77,10 +97,19 @@ def _is_plain(call: Invocation) -> bool:
     return call.at >= len(call.func.fact.body)
 
 
+def _surely(func: Func) -> Iterator[Step]:
+    """The steps of a function up to the first one that may end it and leave the node running."""
+    straight = tuple(range(len(func.fact.body)))  # one without any branch has no flow of its own
+    for step in _without_braces(func.fact.flow or straight):
+        yield step
+        if _may_leave((step,), func):
+            return
+
+
 def _without_braces(block: Block) -> Iterator[Step]:
-    """The steps of a block, and in their place those of blocks that stand in it by themselves: `{ ... }`."""
+    """The steps of a block, and in their place those of blocks that a program always enters: `{ ... }`."""
     for step in block:
-        if isinstance(step, Branch) and step.test == Constant("true"):
+        if isinstance(step, Branch) and step.test in _ENTERED:
             yield from _without_braces(step.then)
         else:
             yield step

@@ -6,7 +6,7 @@ import ast
 
 from ecm_parsers.launch.interpreter import LaunchInterpreter
 from ecm_parsers.launch.lost import lost_actions
-from ecm_parsers.launch.model import LaunchFile
+from ecm_parsers.launch.model import LaunchFile, Unread
 from ecm_parsers.launch.values import Description, actions_of
 from ecm_parsers.python.arguments import Arguments
 from ecm_parsers.python.expressions import TooLongError
@@ -65,7 +65,8 @@ def _read(tree: ast.Module, sources: Sources | None) -> Parsed[LaunchFile | None
     if isinstance(made, tuple) and made:
         made = made[0]  # generate_test_description returns (description, context)
     if not isinstance(made, Description | list):
-        return Parsed(LaunchFile(2), (*problems, _unread(entry, made)))
+        rest = (Unread(line=entry.node.lineno, text=ENTRY_POINTS[0]),) if made is not None else ()
+        return Parsed(LaunchFile(2, actions_of(made) or rest), (*problems, _unread(entry, made)))
     doubts = interpreter.doubts
     return Parsed(LaunchFile(2, actions_of(made), doubts.texts), (*problems, *doubts.told()))
 

@@ -244,3 +244,12 @@ def test_actions_of_a_branch_that_returns_them() -> None:
     (found,) = read("return LaunchDescription(start())", before)
     assert isinstance(found, Group)
     assert found.condition == (Substitution("equals", (ARG_X, ("a",))),)
+
+
+def test_a_description_that_others_make_is_an_action_that_is_not_read() -> None:
+    """It is not empty: who asks what the file starts or declares hears that this is not known."""
+    made = parse_launch_python(
+        b"from helpers import made\n\ndef generate_launch_description():\n    return made('arm')\n"
+    )
+    nothing = parse_launch_python(b"def generate_launch_description():\n    LaunchDescription([])\n")
+    assert [each.facts.actions for each in (made, nothing)] == [(Unread(line=4, text="made('arm')"),), ()]  # type: ignore[union-attr]
