@@ -315,7 +315,9 @@ def test_a_parameter_with_several_defaults_has_none_for_others(workspace: Any) -
 )
 def test_what_a_node_declares_without_a_default_has_not_that_of_another_node(workspace: Any, declaration: str) -> None:
     """A parameter that is declared by its type is what somebody sets; the default of another node of the package is not its."""
-    bare = SAME_PARAMETER.format(node="bare", robot="none").replace("self.declare_parameter('robot', 'none')", declaration)
+    bare = SAME_PARAMETER.format(node="bare", robot="none").replace(
+        "self.declare_parameter('robot', 'none')", declaration
+    )
     files = {"pkg/full.py": SAME_PARAMETER.format(node="full", robot="left"), "pkg/bare.py": bare}
     reader = SAME_PARAMETER.format(node="reader", robot="none").replace("self.declare_parameter('robot', 'none')", "")
     modules = workspace.package({**files, "pkg/reader.py": reader}).modules()
