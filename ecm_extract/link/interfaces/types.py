@@ -93,6 +93,8 @@ class Types:
             return TypeFound(self.full(expr.value.replace("/", "::"), role))
         if env.func.file.language == "python" and isinstance(expr, Name | Member):
             return self.python.of(expr, env, role)
+        if (chosen := self.python.of_choice(expr, env, role)) is not None:
+            return chosen
         wrapped = self.python.wrapped(expr, env)
         if wrapped is not None:
             return self.expression(wrapped, env, role)

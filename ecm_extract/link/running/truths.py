@@ -86,9 +86,10 @@ class Truths:
         if before is not None:
             return Verdict(before, before)
         python = env.func.file.language == "python"
-        if self.folder.untold.has(test, env.func, env.at):
+        compared = self.folder.enums.compared(test, env) if python else None
+        if compared is None and self.folder.untold.has(test, env.func, env.at):
             return OPEN
-        full = None if python else self.folder.optionals.holds(test, env)
+        full = compared if python else self.folder.optionals.holds(test, env)
         if full is not None:
             return Verdict(full, full)
         values = self.folder.fold(test, env)
