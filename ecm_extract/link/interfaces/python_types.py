@@ -72,9 +72,10 @@ class PythonTypes:
 
     def _imported(self, dotted: str, path: str, env: Env, role: Role) -> TypeFound:
         """What is below a `msg`, `srv` or `action`; what a module has is what it is called outside."""
-        full = self.types.full(path.replace(".", "::"), role) if path.count(".") > 1 else None
+        full = self.types.full(path.replace(".", "::"), role) if path.count(".") > 1 and path[0] != "." else None
         outside = self.types.program.outside(dotted, env.func.file) if full is None else ""
-        return TypeFound(full or self.types.full(outside.replace(".", "::"), role))
+        whole = f"{env.func.file.package}.{outside.lstrip('.')}" if outside.startswith(".") else outside
+        return TypeFound(full or (self.types.full(whole.replace(".", "::"), role) if whole.count(".") > 1 else None))
 
     def _variable(self, expr: Name, env: Env, role: Role) -> TypeFound:
         bound = self.folder.names.argument(expr.id, env)
