@@ -10,8 +10,9 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 import msgspec
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Opaque, Text
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Opaque, Text
 
+from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.folding.declared_fields import FieldsOfClasses, Listed, ListedField
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 from ecm_extract.link.running.values import Value, demoted, unknown
@@ -37,6 +38,7 @@ class _Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     methods: Mapping[str, _Row]
     field: Mapping[str, Sequence[str]]
     private: Mapping[str, Sequence[str]]
+    missing: Mapping[str, frozenset[str]]
 
 
 class _Asked(NamedTuple):
@@ -76,18 +78,33 @@ class DataClasses:
 
     def of_field(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return the name or the default of an element of `fields`; empty of anything else."""
+        found = self._part(expr, env)
+        if found is None:
+            return ()
+        if found.expr == _UNSEEN:
+            return (unknown("default"),)
+        return demoted(self.folder.fold(found.expr, found.env.deeper(max(env.depth, found.env.depth) + 1)))
+
+    def compared(self, test: Expr, env: Env) -> bool | None:
+        """Tell what comes of asking whether a field has no default: `each.default is MISSING`; None of other tests."""
+        if not isinstance(test, Op) or test.op not in {"==", "!="} or env.func.file.language != "python":
+            return None
+        parts = [each for each in test.operands if isinstance(each, Member)]
+        marks = [self.folder.program.canonical(dotted_name(each), env.func.file) for each in test.operands]
+        found = [part for each in parts if (part := self._part(each, env)) is not None]
+        if len(found) != 1 or found[0].expr == _UNSEEN or self._table.missing["names"].isdisjoint(marks):
+            return None
+        return test.op == "!="
+
+    def _part(self, expr: Member, env: Env) -> Bound | None:
+        """The name or the default of an element of `fields`, where that stands."""
         at = next((at for at, part in enumerate(("name", "default")) if expr.name in self._table.field[part]), None)
         if at is None or not isinstance(expr.base, Name) or env.func.file.language != "python":
-            return ()
+            return None
         helds = {held for way in self.folder.flow.ways(expr.base, env) for held in way}
         made = [held.expr for held in helds if held.how == "value" and isinstance(held.expr, Call)]
         place = next(iter(helds)).env if len(helds) == 1 else None
-        if len(made) != 1 or place is None or made[0].callee != _FIELD:
-            return ()
-        given = made[0].args[at]
-        if given == _UNSEEN:
-            return (unknown("default"),)
-        return demoted(self.folder.fold(given, place.deeper(max(env.depth, place.depth) + 1)))
+        return Bound(made[0].args[at], place) if len(made) == 1 and place and made[0].callee == _FIELD else None
 
     def _asked(self, expr: Expr, env: Env) -> _Asked | None:
         """What an expression lists; None of one that lists no fields."""

@@ -13,8 +13,9 @@ from ecm_parsers.source.python_dataclasses import DeclaredField, declared_fields
 
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.units import Cls
+from ecm_extract.link.folding.stated_objects import StatedObjects
 from ecm_extract.link.index.own_class import is_own_class
-from ecm_extract.link.running.env import MAX_DEPTH, Env
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env
 from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
@@ -44,11 +45,12 @@ class FieldsOfClasses:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self._stated = StatedObjects(folder)
 
     def named(self, expr: Expr, env: Env, plain: bool = False) -> Listed | None:
         """Return the fields of the class that an expression names or that its object has; plain: of any class."""
         expr, place = self._handed(expr, env)
-        cls = self._class(expr, place)
+        cls = self._class(expr, place) or self._of_made(expr, place)
         named = cls or self._of_object(expr, place)
         if named is None or (cls is None and self.folder.program.derived(named)):
             return None  # an object may be of a derived class, which has more
@@ -56,8 +58,11 @@ class FieldsOfClasses:
 
     def held(self, expr: Expr, env: Env) -> Listed | None:
         """Return the fields of an object that hold all that it has; None of what is no object of a known class."""
-        cls = self.folder.objects.class_of(expr, env) if isinstance(expr, Name | Member) else None
-        if cls is None or self.folder.program.derived(cls) or self._class(expr, env) is not None:
+        if not isinstance(expr, Name | Member | Call) or self._class(expr, env) is not None:
+            return None
+        made = self._of_made(expr, env)
+        cls = made or self.folder.objects.class_of(expr, env)
+        if cls is None or (made is None and self.folder.program.derived(cls)):
             return None
         listed = self._listed(cls, env, plain=False)
         return listed if listed is not None and not self._has_others(listed) else None
@@ -119,6 +124,12 @@ class FieldsOfClasses:
             return None
         rebound = isinstance(expr, Name) and self.folder.flow.ways(expr, env)
         return self.folder.program.class_named(dotted, env.func.file, env.scope) if not rebound else None
+
+    def _of_made(self, expr: Expr, env: Env) -> Cls | None:
+        """The very class of an object that a call makes, here or where a module or a class states it."""
+        made = Bound(expr, env) if isinstance(expr, Call) else self._stated.made(expr, env)
+        call = made.expr if made is not None else None
+        return self._class(call.callee, made.env) if made is not None and isinstance(call, Call) else None
 
     def _inner(self, name: str, env: Env) -> Cls | None:
         """The class that stands in the class of the object at hand, or in a base of it."""
