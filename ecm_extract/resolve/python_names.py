@@ -18,7 +18,7 @@ from ecm_extract.resolve.paths import tree_path
 from ecm_extract.resolve.python_path import PythonPath
 
 _GENERATED = frozenset({"msg", "srv", "action"})
-"""Modules that a package has for what it generates (design.ros2.org, "Generated Python interfaces"; wiki.ros.org, msg)."""
+"""Modules that a package has for what it generates (docs.ros.org, rosidl_generator_py; wiki.ros.org, msg)."""
 MAX_HOPS = 16
 """How many re-exports are followed from module to module."""
 
