@@ -194,8 +194,7 @@ class KeptParts:
             if entry.kind == "return" or entry.type.startswith("yield"):
                 yield _Given(_Place(func.fact.name), value, held)
             elif entry.kind != "do":
-                alone = self._plain_parts(entry, outline)
-                keys = (key for key in outline.bound_keys(target_of(entry)) if key and key not in alone)
+                keys = (key for key in outline.bound_keys(target_of(entry)) if key)
                 within = held or isinstance(entry.target, Op) or entry.type.endswith("=")
                 looped = entry.kind == "each"
                 yield from (_Given(self._place(key, func), value, within, looped) for key in keys)
@@ -215,26 +214,10 @@ class KeptParts:
 
     def _is_of_plain(self, value: Expr, outline: Outline) -> bool:
         """Whether a loop is over texts or numbers that are written out: nobody can change them."""
-        value = self._written(value, outline)
+        if isinstance(value, Name) and value.id not in outline.effects.own:
+            found = self.folder.scope.constant(value.id, Env(outline.func))
+            value = found[0].value or value if found is not None else value
         return isinstance(value, Items) and all(map(is_plain, value.items))
-
-    def _plain_parts(self, entry: Statement, outline: Outline) -> Set[str]:
-        """The variables of a loop over rows that are written out which are a text or a number in each of them."""
-        if entry.kind != "each" or entry.value is None or not isinstance(entry.target, Items):
-            return frozenset()
-        value, parts = self._written(entry.value, outline), entry.target.items
-        rows = [row.items if isinstance(row, Items) else () for row in value.items] if isinstance(value, Items) else []
-        if not rows or any(len(row) != len(parts) for row in rows):
-            return frozenset()
-        columns = zip(parts, zip(*rows, strict=True), strict=True)
-        return {outline.effects.key(part) for part, column in columns if all(map(is_plain, column))}
-
-    def _written(self, value: Expr, outline: Outline) -> Expr:
-        """What is written for a variable of a module; anything else as it is."""
-        if not isinstance(value, Name) or value.id in outline.effects.own:
-            return value
-        found = self.folder.scope.constant(value.id, Env(outline.func))
-        return found[0].value or value if found is not None else value
 
     def _handed(self, call: Call, at: int, outline: Outline) -> Iterator[_Given]:
         """Yield the parameters that a call gives something, or the list or table that it puts something into."""
