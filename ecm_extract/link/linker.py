@@ -13,7 +13,7 @@ from ecm_parsers.source.expr import Text
 
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.forms import FormTable
-from ecm_extract.link.declaring.listed import defaults_of
+from ecm_extract.link.declaring.listed import bare_names, defaults_of
 from ecm_extract.link.declaring.match import Matcher, handle_argument
 from ecm_extract.link.declaring.named_by_defaults import named_by_defaults
 from ecm_extract.link.declaring.parameters import Home, Parameters
@@ -198,6 +198,8 @@ class Linker:
         for site in (each for each in sites if not each.form.fallback):
             owner = (site.owner,) if site.owner is not None else ()
             homes: tuple[Home, ...] = (site.root.file.package, site.root.file, *owner)
+            for name in bare_names(site, self.sites.names.of(site), self.folder):
+                self.parameters.declare_bare(name.text, homes, site.root.file)
             for each in defaults_of(site, self.sites.names.of(site), self.folder):
                 begun = self.given.of(site, each.name.text, each.default)
                 for home in homes if begun is not each.default else ():

@@ -17,6 +17,8 @@ from ecm_extract.resolve.cpp_scopes import enclosing_scopes, joined
 from ecm_extract.resolve.paths import tree_path
 from ecm_extract.resolve.python_path import PythonPath
 
+_GENERATED = frozenset({"msg", "srv", "action"})
+"""Modules that a package has for what it generates (docs.ros.org, rosidl_generator_py; wiki.ros.org, msg)."""
 MAX_HOPS = 16
 """How many re-exports are followed from module to module."""
 
@@ -96,11 +98,19 @@ class PythonNames:
             if "." not in full:
                 return full
             handed = self._handed_on(full, file)
-            return full if handed is None else self.outside(handed[1], handed[0], hops + 1)
+            if handed is None or self._is_generated(full, *handed):
+                return full
+            return self.outside(handed[1], handed[0], hops + 1)
         starred = (
             () if head in known.symbols else (self._outside_star(entry, dotted, file, hops) for entry in known.stars)
         )
         return next((found for found in starred if found), "")
+
+    def _is_generated(self, full: str, package: File, rest: str) -> bool:
+        """Whether a name is one of a message of a package of the tree: nobody writes its module `package.msg`."""
+        kind = rest.partition(".")[0]
+        known = self._files[package]
+        return kind in _GENERATED and full.count(".") == 2 and kind not in known.symbols and kind not in known.imports
 
     def _outside_star(self, entry: Import, dotted: str, file: File, hops: int) -> str:
         """What a name is called outside of the tree that a module of the tree hands on by a star."""

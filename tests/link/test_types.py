@@ -279,3 +279,42 @@ def test_a_type_without_its_package_is_of_the_namespace(workspace: Any, text: st
     """No package is called `msg`: without a namespace around it nothing tells whose type it is."""
     made = 'create_publisher<msg::Goal>("a", 10);'
     assert workspace.package({"src/d.cpp": text.format(made=made)}).only("publisher").type == kind
+
+
+HANDED_ON = """
+import rclpy
+from rclpy.node import Node
+from {module} import Thing
+class Demo(Node):
+    def __init__(self):
+        super().__init__("demo")
+        self.create_publisher(Thing, "x", 10)
+"""
+FALLBACK = """
+try:
+    from pkg.msg import Made as Thing
+except ImportError:
+    class Thing:
+        def __init__(self):
+            self.text = ""
+"""
+
+
+@pytest.mark.parametrize(
+    ("module", "text", "found"),
+    [
+        (".shared", "from std_msgs.msg import String as Thing", "std_msgs/msg/String"),
+        (".shared", "from .msg import Thing", "pkg/msg/Thing"),
+        (".shared", FALLBACK, "pkg/msg/Made"),
+        ("pkg.shared", FALLBACK, "pkg/msg/Made"),
+        (".shared", "class Thing: pass", None),
+        (".msg", "", "pkg/msg/Thing"),
+        (".absent", "", None),
+    ],
+)
+def test_a_message_that_a_module_of_the_package_hands_on(
+    workspace: Any, module: str, text: str, found: str | None
+) -> None:
+    """A module beside is no package of messages, whatever it has; what it imports is what it hands on."""
+    files = {"pkg/__init__.py": "", "pkg/shared.py": text, "pkg/demo.py": HANDED_ON.format(module=module)}
+    assert workspace.package(files).only("publisher").type == found

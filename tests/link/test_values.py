@@ -303,3 +303,26 @@ def test_a_parameter_with_several_defaults_has_none_for_others(workspace: Any) -
     modules = workspace.package({**files, "pkg/reader.py": reader}).modules()
     (end,) = [each for each in modules["ecm.pkg.reader"].signature.interfaces if each.role == "publisher"]
     assert (end.name, end.confidence) == ("/{robot}/state", "pattern")
+
+
+@pytest.mark.parametrize(
+    "declaration",
+    [
+        "self.declare_parameter('robot', Parameter.Type.STRING)",
+        "self.declare_parameter('robot')",
+        "self.declare_parameters('', [('robot', Parameter.Type.STRING)])",
+    ],
+)
+def test_what_a_node_declares_without_a_default_has_not_that_of_another_node(workspace: Any, declaration: str) -> None:
+    """A parameter that is declared by its type is what somebody sets; the default of another node of the package is not its."""
+    bare = SAME_PARAMETER.format(node="bare", robot="none").replace(
+        "self.declare_parameter('robot', 'none')", declaration
+    )
+    files = {"pkg/full.py": SAME_PARAMETER.format(node="full", robot="left"), "pkg/bare.py": bare}
+    reader = SAME_PARAMETER.format(node="reader", robot="none").replace("self.declare_parameter('robot', 'none')", "")
+    modules = workspace.package({**files, "pkg/reader.py": reader}).modules()
+    ends = {
+        node: [each.name for each in modules[f"ecm.pkg.{node}"].signature.interfaces if each.role == "publisher"]
+        for node in ("full", "bare", "reader")
+    }
+    assert ends == {"full": ["/left/state"], "bare": ["/{robot}/state"], "reader": ["/{robot}/state"]}

@@ -13,6 +13,7 @@ from ecm_extract.link.code.walk import expressions, names_in
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.arguments import bind
+from ecm_extract.link.running.env import Bound
 from ecm_extract.link.running.values import Value, is_proved
 
 
@@ -69,7 +70,12 @@ def _are_settled(func: Func, asked: frozenset[str], folder: Folder) -> bool:
     for call, place in callers or ():
         args = bind(func, call, place)
         for name in asked:
-            values = folder.fold(args[name].expr, args[name].env) if name in args else ()
-            if len(values) != 1 or not is_proved(values[0]):
+            if name not in args or not _is_settled(args[name], folder):
                 return False
     return callers is not None
+
+
+def _is_settled(given: Bound, folder: Folder) -> bool:
+    """Whether an argument is one value, or one member of an enumeration, whatever that holds."""
+    values = folder.fold(given.expr, given.env)
+    return (len(values) == 1 and is_proved(values[0])) or folder.enums.member(given.expr, given.env) is not None

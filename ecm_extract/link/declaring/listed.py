@@ -9,6 +9,7 @@ from ecm_parsers.source.expr import Opaque
 
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.folding.data import stated_type
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Bound
 from ecm_extract.link.running.values import Value, literal, weaker
@@ -38,6 +39,24 @@ def defaults_of(site: Site, names: Iterable[Value], folder: Folder) -> Iterable[
     if default is None or name_argument(site.form, site.call) is None:
         return ()
     return [Listed(name, Bound(default, site.env)) for name in names]
+
+
+def bare_names(site: Site, names: Iterable[Value], folder: Folder) -> list[Value]:
+    """Return the parameters that a site declares without a default, by a type or by nothing but their names.
+
+    Source: rclpy.readthedocs.io, "Node" (`declare_parameter`, `declare_parameters`): what has no value is not set.
+    """
+    if site.form.ros != 2 or site.form.undeclared or site.chain:
+        return []
+    if site.form.items:
+        return [each.name for each in listed_parameters(site, folder) if _is_bare(each.default)]
+    default = next(positions(site.form.default, site.call), None)
+    given = Bound(default, site.env) if default is not None else None
+    return list(names) if _is_bare(given) and name_argument(site.form, site.call) is not None else []
+
+
+def _is_bare(default: Bound | None) -> bool:
+    return default is None or stated_type(default.expr) is not None
 
 
 def _prefixes(site: Site, folder: Folder) -> tuple[Value, ...]:

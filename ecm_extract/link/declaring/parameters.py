@@ -36,6 +36,7 @@ class Parameters:
         self._defaults: dict[tuple[Home, str], tuple[Expr, Env] | Value] = {}
         self._several: set[tuple[Home, str]] = set()
         self._declared: set[tuple[str, str]] = set()
+        self._bare: dict[tuple[Home, str], set[File]] = defaultdict(set)
         self._instead: set[tuple[Home, str]] = set()
         self._wrappers: dict[str, list[tuple[Func, str, str]]] = defaultdict(list)
 
@@ -168,6 +169,11 @@ class Parameters:
         """Remember a parameter, with or without a default."""
         self._declared.add((package, name))
 
+    def declare_bare(self, name: str, homes: Sequence[Home], file: File) -> None:
+        """Remember a parameter that homes declare with a type or with nothing: nobody else's default is its value."""
+        for home in homes:
+            self._bare[home, name].add(file)
+
     def is_declared(self, name: str, package: str) -> bool:
         """Tell whether a package declares a parameter, with a default or without."""
         return (package, name) in self._declared or (package, name) in self._defaults
@@ -177,7 +183,14 @@ class Parameters:
         for owner in owners:
             if (owner, name) in self._defaults:
                 return self._defaults[owner, name]
-        return None if (package, name) in self._several else self._defaults.get((package, name))
+            if (owner, name) in self._bare:
+                return None
+        return None if self._is_several(name, package) else self._defaults.get((package, name))
+
+    def _is_several(self, name: str, package: str) -> bool:
+        """Whether files of a package declare a parameter with different defaults, or one of them without any."""
+        bare = self._bare.get((package, name), ())
+        return (package, name) in self._several or any((file, name) not in self._defaults for file in bare)
 
     def forget(self) -> None:
         """Drop what was indexed, since more wrappers are known now."""

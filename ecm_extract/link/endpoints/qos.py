@@ -236,9 +236,9 @@ class QosReader:
         return {}
 
     def _variable(self, expr: Name | Member, env: Env, level: int) -> dict[str, Any]:
-        stated = self.folder.module_objects.of(expr, env) if isinstance(expr, Member) else None
-        if stated is not None:
-            return self.policies(stated.expr, stated.env.deeper(env.depth + 1), level + 1)
+        stated = self.folder.module_objects.each(expr, env) if isinstance(expr, Member) else []
+        if len(stated) == 1:
+            return self.policies(stated[0].expr, stated[0].env.deeper(env.depth + 1), level + 1)
         name = expr.id if isinstance(expr, Name) else expr.name
         read = self.folder.properties.read(expr, env)
         found = self._function(read, env, level) if read is not None else self.variables.at(expr, env, level)

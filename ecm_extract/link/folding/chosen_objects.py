@@ -19,19 +19,19 @@ def field_of_chosen(expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]
     if env.depth >= MAX_DEPTH or env.func.file.language != "python":
         return ()
     made = Bound(expr.base, env) if isinstance(expr.base, Op) else folder.structures.made(expr.base, env)
-    sides = _sides(made, folder) if made is not None else []
+    sides = sides_of(made, folder) if made is not None else []
     fields = [_field(side, expr, env, folder) for side in sides if side is not made]
     return alternatives([value for values in fields for value in values]) if all(fields) and fields else ()
 
 
-def _sides(made: Bound, folder: Folder) -> list[Bound]:
-    """What a choice may give, both sides where nobody can decide it; anything else itself."""
+def sides_of(made: Bound, folder: Folder) -> list[Bound]:
+    """Return what a choice may give, both sides where nobody can decide it; anything else itself."""
     if not isinstance(made.expr, Op) or made.expr.op != "?:":
         return [made]
     test, first, second = made.expr.operands
     holds = folder.flow.truth(test, made.env)
     taken = [first, second] if holds is None else [first if holds else second]
-    return [each for side in taken for each in _sides(Bound(side, made.env), folder)]
+    return [each for side in taken for each in sides_of(Bound(side, made.env), folder)]
 
 
 def _field(side: Bound, expr: Member, env: Env, folder: Folder) -> tuple[Value, ...]:

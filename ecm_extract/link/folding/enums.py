@@ -22,6 +22,7 @@ _AUTO: Final = frozenset({"enum.auto", "auto"})
 _VALUE: Final = frozenset({"value", "_value_"})
 _LOOKING_UP: Final = frozenset({"_missing_", "__new__", "__init__"})
 """Methods by which an enumeration says itself what a value stands for."""
+_COMPARING: Final = frozenset({"__eq__", "__ne__"})
 _NAME: Final = frozenset({"name", "_name_"})
 
 
@@ -79,6 +80,21 @@ class EnumFolder:
         first = self._first_names(cls, env) if cls is not None else None
         return None if first is None else [Bound(Member(expr, name), env) for name in dict.fromkeys(first.values())]
 
+    def compared(self, test: Expr, env: Env) -> bool | None:
+        """Tell what comparing two members of one enumeration gives, whatever they hold (`auto()`); None of others."""
+        if not isinstance(test, Op) or test.op not in {"==", "!="} or len(test.operands) != 2:
+            return None
+        first = self.member(test.operands[0], env)
+        second = self.member(test.operands[1], env) if first is not None else None
+        if first is None or second is None or first.cls is not second.cls or self._compares_itself(first.cls):
+            return None
+        names = self._first_names(first.cls, env)
+        return (names[first.name] == names[second.name]) is (test.op == "==") if names is not None else None
+
+    def _compares_itself(self, cls: Cls) -> bool:
+        lineage = self.folder.program.ancestry(cls)
+        return any(method.fact.name in _COMPARING for entry in lineage for method in entry.methods)
+
     def member(self, expr: Expr, env: Env) -> Enumerated | None:
         """Return the member that an expression is; None where that is not known."""
         if env.depth > MAX_DEPTH:
@@ -119,7 +135,7 @@ class EnumFolder:
     def _of_variable(self, expr: Name | Member, env: Env) -> Enumerated | None:
         ways = self.folder.flow.ways(expr, env)
         helds = {held for way in ways for held in way}
-        if not ways:
+        if all(held.how == "given" for held in helds):
             given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
             return self.member(given.expr, given.env.deeper(env.depth + 1)) if given is not None else None
         held = helds.pop() if len(helds) == 1 else None

@@ -148,6 +148,8 @@ class ListFolder:
             return self.folder.tables.keys(expr, env)
         if isinstance(expr, Comprehension):
             return self.folder.comprehended.elements(expr, inner)
+        if (listed := self.folder.data_classes.elements(expr, inner)) is not None:
+            return listed
         if isinstance(expr, Call):
             return self._called(expr, inner)
         if isinstance(expr, Op):

@@ -95,6 +95,8 @@ class TableFolder:
         expr = self.folder.class_names.by_object(expr, env)
         if isinstance(expr, Table):
             return self._displayed(expr, env)
+        if (listed := self.folder.data_classes.entries(expr, env)) is not None:
+            return [Entry(*pair) for pair in listed]
         if isinstance(expr, Comprehension) and isinstance(expr.element, Table):
             rows = self.folder.comprehended.elements(expr, env)
             return None if rows is None else [entry for row in rows for entry in self._entries(row.expr, row.env) or ()]
@@ -176,9 +178,6 @@ class TableFolder:
     def _entries_of_call(self, expr: Call, env: Env) -> list[Entry] | None:
         call = invocation_of(expr, env)
         if env.func.file.language == "python":
-            if call.path == "dataclasses.asdict":
-                found = self.folder.data_classes.entries(call, env)
-                return [Entry(Bound(Text(key), env), value) for key, value in found] if found is not None else None
             if call.path in MAKERS:
                 return self._made(call, env)
             copies = call.last == "copy" and call.receiver is not None and not call.args

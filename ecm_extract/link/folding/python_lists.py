@@ -204,10 +204,6 @@ def _split(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
     return [Bound(Text(part), env) for part in found] if isinstance(found, list | tuple) else None
 
 
-def _fields(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    return lists.folder.data_classes.fields(call, env)
-
-
 LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
     {
         "range": _range,
@@ -233,7 +229,6 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         **dict.fromkeys(asking(), asked_together),
         "keys": _table_part("keys"),
         "values": _table_part("values"),
-        "dataclasses.fields": _fields,
         "items": _table_part("items"),
         **dict.fromkeys(SPLITS, _split),
     }

@@ -6,14 +6,15 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from ecm_checker.hub.roles import Role, roles
-from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name
+from ecm_parsers.source.expr import THIS, Call, Expr, Member, Name, Op
 from ecm_parsers.source.python_literal import NULL
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.folding.chosen_objects import sides_of
 from ecm_extract.link.interfaces.sent_as import wrapped
 from ecm_extract.link.interfaces.type_found import ACTION, UNKNOWN_TYPE, TypeFound
-from ecm_extract.link.running.env import MAX_DEPTH, Env, invocation_of
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
 
 if TYPE_CHECKING:
     from ecm_extract.link.interfaces.types import Types
@@ -34,12 +35,20 @@ class PythonTypes:
         found = self._imported(dotted, ".".join([imported, *rest]), env, role) if imported is not None else None
         if (found is not None and found.name is not None) or env.depth > MAX_DEPTH:
             return found or UNKNOWN_TYPE
-        stated = self.folder.module_objects.of(expr, env) if isinstance(expr, Member) else None
-        if stated is not None and isinstance(stated.expr, Member):
-            return self._of_object(stated.expr, stated.env.deeper(env.depth + 1), role)
+        stated = self.folder.module_objects.each(expr, env) if isinstance(expr, Member) else []
+        if stated:
+            return self._of_each(stated, env, role)
         if found is not None:
             return UNKNOWN_TYPE
         return self._variable(expr, env, role) if isinstance(expr, Name) else self._attribute(expr, env, role)
+
+    def of_choice(self, expr: Expr, env: Env, role: Role) -> TypeFound | None:
+        """Return the type that a choice gives, `A if new else B`, or the one of both sides; None of anything else."""
+        if env.func.file.language != "python" or not isinstance(expr, Op) or expr.op != "?:":
+            return None
+        sides = sides_of(Bound(expr, env.before(env.at)), self.folder)
+        found = {self.types.expression(side.expr, side.env.deeper(env.depth + 1), role) for side in sides}
+        return found.pop() if len(found) == 1 else UNKNOWN_TYPE
 
     def wrapped(self, expr: Expr, env: Env) -> Expr | None:
         """Return the class of which a call makes another one of the same message: `numpy_msg(Image)`."""
@@ -63,9 +72,10 @@ class PythonTypes:
 
     def _imported(self, dotted: str, path: str, env: Env, role: Role) -> TypeFound:
         """What is below a `msg`, `srv` or `action`; what a module has is what it is called outside."""
-        full = self.types.full(path.replace(".", "::"), role) if path.count(".") > 1 else None
+        full = self.types.full(path.replace(".", "::"), role) if path.count(".") > 1 and path[0] != "." else None
         outside = self.types.program.outside(dotted, env.func.file) if full is None else ""
-        return TypeFound(full or self.types.full(outside.replace(".", "::"), role))
+        whole = f"{env.func.file.package}.{outside.lstrip('.')}" if outside.startswith(".") else outside
+        return TypeFound(full or (self.types.full(whole.replace(".", "::"), role) if whole.count(".") > 1 else None))
 
     def _variable(self, expr: Name, env: Env, role: Role) -> TypeFound:
         bound = self.folder.names.argument(expr.id, env)
@@ -87,6 +97,12 @@ class PythonTypes:
         given = (held for held, _ in self.folder.members.sources(expr.name, cls, env))
         found = self._only(given, env, role)
         return found if found.name is not None or found.open else self._declared(expr.name, env, role)
+
+    def _of_each(self, stated: Iterable[Bound], env: Env, role: Role) -> TypeFound:
+        """The one type that the members of all objects are which one may be."""
+        members = ((each.expr, each.env.deeper(env.depth + 1)) for each in stated if isinstance(each.expr, Member))
+        found = {self._of_object(member, place, role) for member, place in members}
+        return found.pop() if len(found) == 1 else UNKNOWN_TYPE
 
     def _of_object(self, expr: Member, env: Env, role: Role) -> TypeFound:
         """`self.types.kind`: what the constructor of the one object that this is leaves there, if nobody changes it."""

@@ -93,6 +93,8 @@ class Types:
             return TypeFound(self.full(expr.value.replace("/", "::"), role))
         if env.func.file.language == "python" and isinstance(expr, Name | Member):
             return self.python.of(expr, env, role)
+        if (chosen := self.python.of_choice(expr, env, role)) is not None:
+            return chosen
         wrapped = self.python.wrapped(expr, env)
         if wrapped is not None:
             return self.expression(wrapped, env, role)
@@ -244,8 +246,8 @@ class Types:
                 at = parts.index(kind, 1)
                 name = parts[-1].rstrip("_") if len(parts) > at + 1 else ""
                 if kind == "msg" and roles()[role].shape == ACTION:
-                    kind = ACTION  # ROS 1 generates actions as messages
-                return f"{parts[at - 1]}/{kind}/{_action(name, kind)}" if name[:1].isalpha() else None
+                    kind, name = ACTION, _action(name, ACTION)  # ROS 1 generates actions as messages
+                return f"{parts[at - 1]}/{kind}/{name}" if name[:1].isalpha() else None
         wanted = roles()[role].shape
         if not wanted or len(parts) != 2 or not parts[1][:1].isupper():
             return None

@@ -56,11 +56,12 @@ class Keeping(NamedTuple):
 
 
 class _Given(NamedTuple):
-    """What a name is given, or what is put `within` what it means."""
+    """What a name is given, or what is put `within` what it means; of a loop it is an `element` of the value."""
 
     place: _Place
     value: Expr
     within: bool
+    element: bool = False
 
 
 class _Change(NamedTuple):
@@ -125,10 +126,10 @@ class KeptParts:
         found: dict[_Place, list[Keeping]] = defaultdict(list)
         for outline in self._outlines:
             effects, body = outline.effects, outline.func.fact.body
-            for place, value, within in self._given(outline):
+            for place, value, within, element in self._given(outline):
                 keys = {effects.key(each) or effects.root(each) for each in shared_names(value, body)}
                 keys |= {last_of(call.callee) for call in calls_in(value)} if isinstance(value, Call) else set()
-                whole = isinstance(value, Name | Member | Call)
+                whole = isinstance(value, Name | Member | Call) and not element
                 found[place] += [Keeping(outline.func, key, within, whole) for key in sorted(keys - {""})]
         return found
 
@@ -197,7 +198,8 @@ class KeptParts:
                 target = self._unplain(entry, outline) if entry.kind == "each" else target_of(entry)
                 keys = (key for key in outline.bound_keys(target) if key)
                 within = held or isinstance(entry.target, Op) or entry.type.endswith("=")
-                yield from (_Given(self._place(key, func), value, within) for key in keys)
+                looped = entry.kind == "each"
+                yield from (_Given(self._place(key, func), value, within, looped) for key in keys)
         for at, calls in enumerate(func.calls):
             yield from (each for call in calls for each in self._handed(call, at, outline))
         yield from self._by_classes(func) if func.fact.name == "<module>" else ()

@@ -86,14 +86,20 @@ class Truths:
         if before is not None:
             return Verdict(before, before)
         python = env.func.file.language == "python"
-        if self.folder.untold.has(test, env.func, env.at):
+        compared = self._compared(test, env) if python else None
+        if compared is None and self.folder.untold.has(test, env.func, env.at):
             return OPEN
-        full = None if python else self.folder.optionals.holds(test, env)
+        full = compared if python else self.folder.optionals.holds(test, env)
         if full is not None:
             return Verdict(full, full)
         values = self.folder.fold(test, env)
         found = Verdict(_truth(values, is_proved, python), _truth(values, is_known, python))
         return self._of_object(test, env, found) if python and None in found else found
+
+    def _compared(self, test: Expr, env: Env) -> bool | None:
+        """What comes of comparing what is no text and no number, as far as it is known what that is."""
+        found = self.folder.enums.compared(test, env)
+        return found if found is not None else self.folder.data_classes.compared(test, env)
 
     def _of_object(self, test: Expr, env: Env, found: Verdict) -> Verdict:
         """A list of Python holds when it is not empty, an object of most classes always."""

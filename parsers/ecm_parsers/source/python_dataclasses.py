@@ -18,7 +18,6 @@ from ecm_parsers.source.expr import THIS, Call, Constant, Expr, Lambda, Member, 
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 
 _AFTER = "__post_init__"
-_DECORATOR = "dataclasses.dataclass"
 _PSEUDO = "dataclasses.InitVar"
 
 
@@ -28,6 +27,7 @@ class _Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     plain: frozenset[str]
     apart: frozenset[str]
     makers: frozenset[str]
+    first: frozenset[str]
     factories: tuple[str, ...]
     tuples: frozenset[str]
     fixed: frozenset[str]
@@ -95,20 +95,42 @@ def has_no_fields(base: str, imports: Iterable[Import]) -> bool:
     return Imported.of(imports).full(base) in _table().plain
 
 
-def declared_fields(cls: Class, imports: Iterable[Import]) -> Sequence[DeclaredField] | None:
-    """Return the fields of a class without bases, in their order; None of what is no data class of the library."""
-    imported = Imported.of(imports)
+def has_written_fields(cls: Class, imports: Iterable[Import]) -> bool | None:
+    """Tell whether a class says by a decorator or a base of a library that its annotations are fields of its objects.
+
+    None where a decorator that nobody knows may have written anything.
+    """
+    table, imported = _table(), Imported.of(imports)
     decorators = [imported.full(spelled(each)) for each in cls.decorators]
-    types = [imported.full(each.type) for each in cls.fields]
-    if decorators != [_DECORATOR] or cls.bases or _PSEUDO in types:
+    if not table.decorators.issuperset(decorators):
         return None
-    found = []
-    for field in cls.fields:
-        made = _making(field.default, imported)
-        if field.type and imported.full(field.type) not in _table().apart:
-            default = field.default if made is None else dict(made.keywords).get("default")
-            found.append(DeclaredField(field.name, default))
-    return found
+    return bool(decorators) or any(imported.full(base) in table.bases for base in cls.bases)
+
+
+def is_known_base(base: str, imports: Iterable[Import]) -> bool:
+    """Tell whether a base of a class, as written, is one of a library that has no fields."""
+    table, full = _table(), Imported.of(imports).full(base)
+    return full in table.plain or full in table.bases
+
+
+def declared_fields(cls: Class, imports: Iterable[Import]) -> Sequence[DeclaredField] | None:
+    """Return the fields that the annotations of a class make, in their order; None where they are not all known."""
+    imported = Imported.of(imports)
+    if _PSEUDO in (imported.full(each.type) for each in cls.fields):
+        return None
+    listed = (each for each in cls.fields if each.type and imported.full(each.type) not in _table().apart)
+    return [DeclaredField(each.name, _declared_default(each.default, imported)) for each in listed]
+
+
+def _declared_default(default: Expr | None, imported: Imported) -> Expr | None:
+    """The default of a field, which what makes it is given by its name or, where that takes it so, first."""
+    made = _making(default, imported)
+    if made is None:
+        return default
+    named = dict(made.keywords).get("default")
+    takes_first = imported.full(spelled(made)) in _table().first
+    first = made.args[0] if made.args and takes_first and made.args[0] != Opaque("...") else None
+    return named or first
 
 
 def generated_init(cls: Class, inside: str, methods: Sequence[str], imported: Imported) -> Function | None:
@@ -145,7 +167,7 @@ def _taken(fields: Sequence[Field], imported: Imported) -> Iterator[_Taken]:
             yield _Taken(field, field.default, is_given=True)
         else:
             said = dict(made.keywords)
-            yield _Taken(field, _default(made, said), said.get("init") != Constant("false"))
+            yield _Taken(field, _default(made, said, imported), said.get("init") != Constant("false"))
 
 
 def _making(default: Expr | None, imported: Imported) -> Call | None:
@@ -154,9 +176,10 @@ def _making(default: Expr | None, imported: Imported) -> Call | None:
     return default if isinstance(default, Call) and is_one else None
 
 
-def _default(made: Call, said: Mapping[str, Expr]) -> Expr | None:
-    if "default" in said:
-        return said["default"]
+def _default(made: Call, said: Mapping[str, Expr], imported: Imported) -> Expr | None:
+    stated = _declared_default(made, imported)
+    if stated is not None:
+        return stated
     factory = next((said[name] for name in _table().factories if name in said), None)
     if isinstance(factory, Lambda):
         return factory.body or Opaque("factory")
