@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 from importlib import resources
+from inspect import cleandoc
 from typing import Any, Final
 
 import msgspec
@@ -34,7 +35,20 @@ def generate(name: str) -> dict[str, Any]:
     """JSON Schema of a document (one of `NAMES`), made from the model."""
     model, number, title = _DOCUMENTS[name]
     head = {"$schema": _DIALECT, "$id": f"urn:{number.replace('/', ':')}", "title": title}
-    return {**head, **msgspec.json.schema(model)}
+    schema: dict[str, Any] = _on_the_left({**head, **msgspec.json.schema(model)})
+    return schema
+
+
+def _on_the_left(part: Any) -> Any:
+    """A part of a schema whose descriptions have no indent: msgspec takes docstrings as they stand before 0.23."""
+    if isinstance(part, list):
+        return [_on_the_left(each) for each in part]
+    if not isinstance(part, dict):
+        return part
+    return {
+        key: cleandoc(each) if key == "description" and isinstance(each, str) else _on_the_left(each)
+        for key, each in part.items()
+    }
 
 
 def render(name: str) -> str:
