@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
@@ -75,7 +75,7 @@ class Calling:
         for call in calls if self.frame.python else ():
             for each in (call.callee, *(given_to(call) if last_of(call.callee) in calling else ())):
                 ways = all_ways(state.holds.get(self.frame.effects.key(each), ()))
-                bound = (held.expr.base for held in ways if held.how == "value" and isinstance(held.expr, Member))
+                bound = [method.base for held in ways if held.how == "value" for method in _methods_in(held.expr)]
                 for root in filter(None, map(self.frame.effects.root, bound)):
                     state = self.memory.in_place(root, Held("lost", root, before=state.holds.get(root, ())), state)
         return state
@@ -308,3 +308,10 @@ def _without(calls: Sequence[Call], skipped: Sequence[Call]) -> Sequence[Call]:
 def _receiver(call: Call) -> Expr | None:
     """What a method is called on; None of a function."""
     return call.callee.base if isinstance(call.callee, Member) else None
+
+
+def _methods_in(value: Expr | None) -> Iterator[Member]:
+    """The methods of objects that calling a value of Python may call: its own, or what a partial is given."""
+    for each in given_to(value) if isinstance(value, Call) else (value,):
+        if isinstance(each, Member):
+            yield each

@@ -25,6 +25,7 @@ from ecm_parsers.source.expr import (
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.bare_names import bare_names, shared_names
+from ecm_extract.infer.by_class import by_class
 from ecm_extract.infer.by_reference import by_reference
 from ecm_extract.infer.chosen_effects import by_method_pointer, given_to_chosen, on_chosen
 from ecm_extract.infer.effect import Effect, Kind
@@ -32,6 +33,7 @@ from ecm_extract.infer.finding import found
 from ecm_extract.infer.handed_functions import HandedFunctions
 from ecm_extract.infer.led_into import led_into
 from ecm_extract.infer.library_calls import calls_of
+from ecm_extract.infer.parameter_names import name_at, name_for
 from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
 from ecm_extract.infer.reading_calls import leaves_arguments
 from ecm_extract.infer.targets import Targets
@@ -153,6 +155,7 @@ class Effects:
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee, at)
         yield from by_method_pointer(call, self)
+        yield from by_class(call, at, self)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         last = path.rsplit("::", 1)[-1]
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
@@ -173,10 +176,9 @@ class Effects:
             return
         params = target.fact.params if target is not None else ()
         for index, arg in passed:
-            param = params[index] if index < len(params) else None
-            yield from self._given(call, arg, target, param.name if param is not None else "", at)
+            yield from self._given(call, arg, target, name_at(index, params), at)
         for name, arg in named:
-            yield from self._given(call, arg, target, name, at)
+            yield from self._given(call, arg, target, name_for(name, params), at)
         yield from self._by_rivals(call, passed, at)
         yield from (Effect("handed", key, call) for key in within)
         if led and (target is None or any(self.targets.parameters.may(target, entry.name) for entry in params)):
@@ -289,8 +291,8 @@ class Effects:
         elif self.python:
             if "generator" in target.fact.traits and not target.fact.decorators:
                 yield Effect("lost", root, call)  # it runs when somebody asks it for something
-            elif self.targets.parameters.may(target, name):
-                yield Effect("out" if key else _within(arg), root, call, name)
+            elif self.targets.parameters.may(target, name.lstrip("*")):
+                yield Effect("out" if key and name[:1] != "*" else _within(arg), root, call, name)
         else:
             yield from by_reference(call, arg, target, name, self)
 

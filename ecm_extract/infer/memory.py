@@ -122,7 +122,7 @@ class Memory:
             others = self.sharing.reached(alike | self._had_from(key, state), state) | self.sharing.roots({key})
         else:
             alike, others = self.sharing.meant(key, state)
-        others = {name for name in others - alike if name in state.holds or (self.frame.python and self.is_open(name))}
+        others = {name for name in others - alike if name in state.holds or self._may_hold(name)}
         self.tell(alike - {key}, held)
         self.tell(others, Held("lost", key))
         if self.escaped & alike:
@@ -136,6 +136,10 @@ class Memory:
                 state = self.parts_lost(name, state)
         elements = self._elements_reached(alike, others, state) if self.frame.python else {}
         return self.reached(others, state, alike).having(elements).having(dict.fromkeys(alike, ways))
+
+    def _may_hold(self, name: str) -> bool:
+        """Whether a variable of Python holds something that the function did not give it: so do fields of objects."""
+        return self.frame.python and (self.is_open(name) or "." in name)
 
     def _had_from(self, key: str, state: State) -> set[str]:
         """What a field that the function gave nothing may be a part of: what its object is made of."""
