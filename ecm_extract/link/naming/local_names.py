@@ -40,9 +40,10 @@ def local_name(value: Value, handle: Handle, node: str | None) -> LocalName:
 
 
 def _private(parts: Parts) -> Parts:
-    """The same below `~`, without the name of the node in front; as it is where a setting may leave out the slash."""
-    _, first, *rest = parts
-    return joined(["~/", first.lstrip("/"), *rest]) if isinstance(first, str) else parts
+    """The same below `~`, without the name of the node in front; as it is where a parameter gives that or the slash."""
+    own, below = parts[0], parts[1] if len(parts) > 1 else None
+    plainly = isinstance(own, OpenPart) and own.of == "node" and isinstance(below, str)
+    return joined(["~/", below.lstrip("/"), *parts[2:]]) if plainly and isinstance(below, str) else parts
 
 
 def local_parameter(value: Value, handle: Handle, ros: int | None) -> LocalName:
