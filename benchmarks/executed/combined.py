@@ -31,7 +31,9 @@ def programs(language: str, number: int, seed: str) -> list[Combined]:
     every = list(product(*(table[part].items() for part in PARTS)))
     chosen = random.Random(seed).sample(every, min(number, len(every)))
     return [
-        Combined("-".join(name for name, _ in entries), _text(language, table, [entry for _, entry in entries], f"p{at}"))
+        Combined(
+            "-".join(name for name, _ in entries), _text(language, table, [entry for _, entry in entries], f"p{at}")
+        )
         for at, entries in enumerate(chosen)
     ]
 

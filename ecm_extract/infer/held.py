@@ -21,6 +21,8 @@ MAX_WAYS = 8
 MAX_REMEMBERED: Final = 64
 """Things that met of which all are remembered."""
 _MET: Final = "met"
+_BEGUN: Final = frozenset({"given", "shared"})
+"""What each variable is at most once where a function begins, and that is made anew where it is asked for."""
 
 How = Literal[
     "value",
@@ -228,8 +230,21 @@ def either(name: str, left: tuple[Held, ...], right: tuple[Held, ...]) -> tuple[
     """Return what a variable may hold that holds one or the other; one of too many things is unknown."""
     own = any(held.how == "given" for held in left)
     more = [held for held in right if held not in left and not (own and held.how == "given")]
-    ways = (*left, *more)
+    ways = _as_reached((*left, *more))
     return ways if len(ways) <= MAX_WAYS else (Held("lost", name, before=ways[:MAX_WAYS]),)
+
+
+def _as_reached(ways: tuple[Held, ...]) -> tuple[Held, ...]:
+    """The same, without what stands beside itself as somebody may have changed its elements, and may not have."""
+    reached = [held for each in ways if each.how == "reached" for held in each.before]
+    if not reached:
+        return ways
+    begun = {held.how for held in reached if _is_begun(held)}
+    return tuple([held for held in ways if held not in reached and not (_is_begun(held) and held.how in begun)])
+
+
+def _is_begun(held: Held) -> bool:
+    return held.how in _BEGUN and held.env is None
 
 
 def all_ways(ways: Iterable[Held]) -> tuple[Held, ...]:

@@ -51,6 +51,7 @@ from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.module_objects import ModuleObjects
 from ecm_extract.link.folding.optionals import OptionalFolder
 from ecm_extract.link.folding.own_copies import OwnCopies
+from ecm_extract.link.folding.perhaps import PerhapsFolder
 from ecm_extract.link.folding.popped import Popped
 from ecm_extract.link.folding.properties import PropertyFolder
 from ecm_extract.link.folding.redefined import Redefined
@@ -136,6 +137,7 @@ class Folder:
         self.kept = KeptObjects(self)
         self.own_copies = OwnCopies(self)
         self.tables = TableFolder(self)
+        self.perhaps = PerhapsFolder(self)
         self.popped = Popped(self)
         self.spreading = Spreading(self)
         self.optionals = OptionalFolder(self)
