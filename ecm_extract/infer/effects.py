@@ -31,7 +31,7 @@ from ecm_extract.infer.finding import found
 from ecm_extract.infer.handed_functions import HandedFunctions
 from ecm_extract.infer.led_into import led_into
 from ecm_extract.infer.library_calls import calls_of
-from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
+from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of, whole_of
 from ecm_extract.infer.reading_calls import leaves_arguments
 from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
@@ -87,8 +87,17 @@ class Effects:
         return expr if part is None or part is expr.base else Member(part, expr.name)
 
     def root(self, expr: Expr | None) -> str:
-        """Return the key of the variable that an expression reaches into, empty for none."""
-        return root_of(expr, self.own, self.is_member)
+        """Return the key of the variable that an expression reaches into, empty for none.
+
+        In C++ `box.table` of `box.all()["a"]`, where the method gives a reference to that.
+        """
+        if self.python:
+            return root_of(expr, self.own, self.is_member)
+        while expr is not None:
+            if key := self.key(expr):
+                return key
+            expr = whole_of(expr)
+        return ""
 
     def may_change(self, name: str) -> bool:
         """Tell whether the function may change what its parameter consists of, or give it to somebody who may."""

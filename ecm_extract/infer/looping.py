@@ -36,7 +36,7 @@ class Looping:
         return self._while(loop, state) if loop.test is not None and self.frame.unrolls else self._blur(loop, state)
 
     def _over(self, loop: Loop, state: State) -> State | None:
-        each = self.frame.body[loop.each]
+        each, self.frame.at = self.frame.body[loop.each], loop.each
         rounds = self.frame.judge.rounds(each.value, self.frame.place(state)) if each.value is not None else None
         if rounds is None or len(rounds) > MAX_ITEMS:
             return self._blur(loop, state)

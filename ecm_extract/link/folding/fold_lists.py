@@ -288,7 +288,7 @@ class ListFolder:
         if not first or not env.func.is_constructor or cls is None:
             return self._left_in(Member(THIS, name), self.sources(Member(THIS, name), entry), entry)
         for base in self.folder.program.bases(cls):
-            found = self.folder.members.sources(name, base, entry)
+            found = self.folder.members.sources_in_base(name, base, entry)
             if found:
                 return self.folder.held.items(*found[0]) if len(found) == 1 else None
         default = self._found(self.declared(Member(THIS, name), entry))

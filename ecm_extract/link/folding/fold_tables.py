@@ -15,7 +15,7 @@ from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
 from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.folding.captured import captured, is_around
 from ecm_extract.link.folding.declared_members import only_source
-from ecm_extract.link.folding.named_containers import container_of_member, is_table
+from ecm_extract.link.folding.named_containers import container_of_member, container_of_variable, is_table
 from ecm_extract.link.folding.paired_tables import MAKERS, pairs_of
 from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.folding.subscripts import taken
@@ -184,9 +184,12 @@ class TableFolder:
                 return self._made(call, env)
             copies = call.last == "copy" and call.receiver is not None and not call.args
             return self.entries(call.receiver, env) if copies else self._returned_entries(call, env)
-        if call.receiver is None and is_map(call.path):
+        if call.receiver is None and is_map(container_of_variable(call.path, env.func, self.folder.program)):
             listed = call.args[0] if len(call.args) == 1 else Items(call.args)
-            return self._pairs(listed, env) if isinstance(listed, Items) else self.entries(listed, env)
+            if not isinstance(listed, Items):
+                return self.entries(listed, env)
+            pairs = self._pairs(listed, env)
+            return self._pairs(Items(call.args), env) if pairs is None else pairs
         return self._returned_entries(call, env)
 
     def _made(self, call: Invocation, env: Env) -> list[Entry] | None:
@@ -276,8 +279,10 @@ class TableFolder:
             return self._entries(Name(name), entry)
         if not key.startswith(".") or not env.func.is_constructor or cls is None:
             return None
-        if any(self.folder.members.sources(name, base, env) for base in self.folder.program.bases(cls)):
-            return None
+        for base in self.folder.program.bases(cls):
+            found = self.folder.members.sources_in_base(name, base, env)
+            if found:
+                return self.held_entries(*found[0]) if len(found) == 1 else None
         field = cls.fields.get(name)
         if field is None:
             return None

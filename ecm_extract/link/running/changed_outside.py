@@ -131,11 +131,20 @@ class ChangedOutside:
             return
         effects = self.folder.flow.effects(func)
         for statement in func.fact.body:
-            if _refers(statement):
+            if _refers(statement) and (statement.kind == "let" or self._is_written(statement, func)):
                 yield effects.root(statement.value)
             for expr, _ in expressions(statement):
                 if isinstance(expr, Op) and expr.op == "&" and len(expr.operands) == 1:
                     yield effects.root(expr.operands[0])
+
+    def _is_written(self, each: Statement, func: Func) -> bool:
+        """Whether a function changes what a loop gives it, or hands it to somebody who may."""
+        outline = self.folder.flow.outline(func)
+        bound = set(outline.bound_keys(each.target))
+        within = any(key.partition(".")[0] in bound for key in (*outline.altered, *outline.escaped))
+        return within or any(
+            key.partition(".")[0] in bound and (count > 1 or "." in key) for key, count in outline.changes.items()
+        )
 
 
 def _is_element(func: Func, owner: Expr) -> bool:
