@@ -39,6 +39,10 @@ void tell(rclcpp::Node * node, Part * part, const std::string & prefix) {
 TOLD = "{ node->declare_parameter(name, value); }"
 EACH = f"for (auto & [name, value] : limits) {TOLD}"
 OF_ARM = f"auto arm = std::make_unique<Arm>(); BEFORE for (auto & [name, value] : arm->all()) {TOLD}"
+TWO = (
+    'auto arm = std::make_unique<Arm>(); tell(node.get(), arm.get(), "arm");'
+    'auto leg = std::make_unique<Leg>(); tell(node.get(), leg.get(), "leg");'
+)
 BOTH = {("reach", "integer", 1), ("stiff", "bool", True)}
 BELOW = {(f"arm.{name}", kind, value) for name, kind, value in BOTH}
 
@@ -59,9 +63,7 @@ def _told(workspace: Any, body: str) -> list[Any]:
         (OF_ARM.replace("BEFORE", ""), BOTH),
         ('std::unique_ptr<Part> arm = std::make_unique<Arm>(); tell(node.get(), arm.get(), "arm");', BELOW),
         ('Part * arm = new Arm(); tell(node.get(), arm, "arm");', BELOW),
-        ('auto arm = std::make_unique<Arm>(); auto leg = std::make_unique<Leg>(); tell(node.get(), arm.get(), "arm"); '
-         'tell(node.get(), leg.get(), "leg");',
-         {*BELOW, ("leg.reach", "integer", 2), ("leg.stiff", "bool", False)}),
+        (TWO, {*BELOW, ("leg.reach", "integer", 2), ("leg.stiff", "bool", False)}),
     ],
 )  # fmt: skip
 def test_each_entry_is_told(workspace: Any, body: str, rows: set[tuple[str, str, Any]]) -> None:

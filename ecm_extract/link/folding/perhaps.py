@@ -19,7 +19,7 @@ from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
 
-MAX_CHANGES: Final = 64
+MAX_CHANGES: Final = 256
 """Changes of one variable that are followed."""
 _STEPS: Final = frozenset({"changed", "stored", "reached"})
 _APPENDS: Final = frozenset({"push_back", "emplace_back", "append"})
