@@ -137,7 +137,6 @@ class Folder:
         self.kept = KeptObjects(self)
         self.own_copies = OwnCopies(self)
         self.tables = TableFolder(self)
-        self.perhaps = PerhapsFolder(self)
         self.popped = Popped(self)
         self.spreading = Spreading(self)
         self.optionals = OptionalFolder(self)
@@ -173,6 +172,7 @@ class Folder:
 
     def _begin_runs(self) -> None:
         """Make those who know what runs of functions leave variables with."""
+        self.perhaps = PerhapsFolder(self)
         self.nesting = self.scope.nesting
         self.flow = Flow(self)
         self.begun_objects = BegunObjects(self)
