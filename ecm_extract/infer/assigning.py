@@ -16,19 +16,17 @@ from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.places import ALL_FIELDS, target_of
 from ecm_extract.infer.pointing import is_address, makes_pointer
 from ecm_extract.infer.run import Frame
-from ecm_extract.link.code.containers import makes_tuple
+from ecm_extract.infer.written_values import addressed_in, arguments, braces, of_maker, referred
 from ecm_extract.link.code.numbers import NUMBERS
 from ecm_extract.link.code.pointed import pointed
 from ecm_extract.link.code.spelling import by_value, last_name, plain
-from ecm_extract.link.code.walk import calls_in, children, names_in
+from ecm_extract.link.code.walk import children, names_in
 
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Bound, Env
 
 MAX_MOVED: Final = 4
 """Statements behind one that moves from variables, in which they are left without a value."""
-_REFERRING: Final = frozenset({Name("std::ref"), Name("std::reference_wrapper")})
-"""en.cppreference.com, std::ref: who has what it gives may change what it is given."""
 _TIE: Final = "tie"
 """en.cppreference.com, std::tie: references to what it is given."""
 
@@ -102,7 +100,7 @@ class Assigning:
         """A text of C++ that has no value yet, in the braces of an object: whoever makes that may write it."""
         if self.frame.python:
             return state
-        keys = {self.frame.effects.key(expr) for braces in _braces(value) for expr in bare_names(braces)}
+        keys = {self.frame.effects.key(expr) for each in braces(value) for expr in bare_names(each)}
         empty = {key for key in keys if key in state.holds and all(map(_is_empty, all_ways(state.holds[key])))}
         return self.memory.lost(state, empty)
 
@@ -129,15 +127,8 @@ class Assigning:
             self.memory.escaped.add(self.frame.effects.root(value))
             state = self.memory.lost(state, {self.frame.effects.root(value)})
         held = Held("lost" if self._changes_behind(value, at) else "value", key, value, env, at)
-        return self.memory.hold(key, held, self._with_parts(key, self.memory.parts_lost(key, state)))
-
-    def _with_parts(self, key: str, state: State) -> State:
-        """The state in which a reference of C++ has the fields of the object that it is another name of."""
-        others = self.memory.sharing.names_of(key) - {key} if not self.frame.python else ()
-        parts = {
-            key + part.removeprefix(name): state.holds[part] for name in others for part in state.holds.within(name)
-        }
-        return state.having(parts)
+        after = self.memory.hold(key, held, self.memory.parts_lost(key, state))
+        return after if self.frame.python else self.memory.with_fields_of_others(key, state, after)
 
     def _changes_behind(self, value: Expr | None, at: int) -> bool:
         """Whether a function gives a reference, perhaps to a variable that it gets and that is changed somewhere."""
@@ -152,7 +143,7 @@ class Assigning:
         """`auto & [a, b] = pair;`: each is another name of a part of it."""
         for item in target.items:
             self.memory.sharing.refer(self.frame.effects.key(item), self.frame.effects.root(value))
-        return self.bind(target, Held("value", "", value, env, at), state)
+        return self._named(target, Held("value", "", value, env, at), state)
 
     def _refer_through(self, target: Expr | None, value: Expr | None, env: Env) -> None:
         """`auto it = table.find(key);`: who writes to `it->second` changes the table, and the other way round.
@@ -215,6 +206,18 @@ class Assigning:
             return self.memory.in_place(root, new, self.memory.parts_lost(root, state))
         return self.memory.in_place(root, Held("lost", root, before=state.holds.get(root, ())), state)
 
+    def _named(self, target: Expr | None, held: Held, state: State) -> State:
+        """Give new variables what they stand for; in C++ none of them writes to what another one refers to."""
+        if isinstance(target, Items):
+            for each in handed_out(target, held, of_maker(held.expr, self.frame.python)):
+                state = self._named(each.target, each.held, state)
+            return state
+        key = self.frame.effects.key(target)
+        if not key or self.frame.python:
+            return self.bind(target, held, state)
+        held.name = key
+        return self.memory.hold(key, held, self.memory.parts_lost(key, state))
+
     def _is_set_by_method(self, key: str) -> bool:
         """Whether a field of Python is a property, whose method makes what it likes of what it gets."""
         owner = self.frame.env.func if key.startswith(".") else None
@@ -245,7 +248,7 @@ class Assigning:
 
     def _unpack(self, target: Items, held: Held, state: State) -> State:
         """`a, b = value`: each gets its part, all of them at once."""
-        value = _of_maker(held.expr, self.frame.python)
+        value = of_maker(held.expr, self.frame.python)
         for each in handed_out(target, held, value):
             state = self.bind(each.target, each.held, state)
         return state
@@ -263,10 +266,10 @@ class Assigning:
 
     def _pointed(self, statement: Statement) -> Set[str]:
         value, effects = statement.value, self.frame.effects
-        referred = {effects.key(each) for each in _referred(value)} & effects.own
-        if referred:
-            return referred
-        addressed = {key for given in _addressed(value) if (key := self._addressed_in(given))}
+        lent = {effects.key(each) for each in referred(value)} & effects.own
+        if lent:
+            return lent
+        addressed = {key for given in addressed_in(value) if (key := self._addressed_in(given))}
         if addressed or is_address(value):
             return addressed
         pointer, outline = effects.key(statement.target), self.frame.outline
@@ -302,7 +305,7 @@ class Assigning:
         if isinstance(value, Op) and value.op in {"+", "-"}:
             first, *rest = value.operands
             return self.frame.effects.key(first) == pointer and not any(isinstance(each, Text) for each in rest)
-        return any(self._iterated(value)) or any(self.frame.effects.key(each) == pointer for each in _arguments(value))
+        return any(self._iterated(value)) or any(self.frame.effects.key(each) == pointer for each in arguments(value))
 
     def _iterated(self, value: Expr | None) -> Iterator[str]:
         """Yield the variables into which parts of a value point: `&x[0]`, `x.begin() + 1`, `find(x.begin(), y)`."""
@@ -328,42 +331,13 @@ class Assigning:
     def element(self, each: Statement, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to any element."""
         state = self._declared(each.target, state)
-        return self.bind(each.target, Held("each", "", each.value, self.frame.place(state), at), state)
+        return self._named(each.target, Held("each", "", each.value, self.frame.place(state), at), state)
 
     def known_element(self, each: Statement, item: Bound, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to an element that is known."""
         state = self._declared(each.target, state)
         own = item.env.func is self.frame.env.func  # the place of a statement means something in its function only
-        return self.bind(each.target, Held("value", "", item.expr, item.env, at if own else -1), state)
-
-
-def _arguments(value: Expr | None) -> tuple[Expr, ...]:
-    return value.args if isinstance(value, Call) else ()
-
-
-def _referred(value: Expr | None) -> Iterator[Expr]:
-    """Yield the variables that others get a reference to: `std::bind(f, std::ref(x))`."""
-    calls = calls_in(value) if value is not None else ()
-    return (arg for call in calls if call.callee in _REFERRING for arg in call.args)
-
-
-def _addressed(value: Expr | None) -> Iterator[Expr]:
-    """Yield what a value is the address of, or has the address of in its braces: `{&x, &y}`."""
-    braces = [item for entry in _braces(value) for item in entry.items]
-    for each in (value, *braces):
-        if isinstance(each, Op) and is_address(each):
-            yield each.operands[0]
-
-
-def _of_maker(value: Expr | None, python: bool) -> Expr | None:
-    """The values that a pair or tuple of C++ is made of; anything else as it is."""
-    return Items(value.args) if isinstance(value, Call) and not python and makes_tuple(value) else value
-
-
-def _braces(value: Expr | None) -> list[Items]:
-    """The lists in braces that an object is made from: its own, or those of its construction."""
-    given = value.args if isinstance(value, Call) else (value,)
-    return [entry for entry in given if isinstance(entry, Items)]
+        return self._named(each.target, Held("value", "", item.expr, item.env, at if own else -1), state)
 
 
 def _is_empty(held: Held) -> bool:

@@ -17,7 +17,8 @@ def by_class(call: Call, at: int, effects: Effects) -> Iterator[Effect]:
     """Yield the object that such a call of a method of the tree may change: not the one at hand, which is followed.
 
     Args:
-        call: any call. at: the statement that it stands in.
+        call: any call.
+        at: the statement that it stands in.
         effects: of the function that calls.
     """
     method = call.callee

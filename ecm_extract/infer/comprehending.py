@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Comprehension, Expr
 from ecm_parsers.source.facts import Statement
@@ -14,6 +15,9 @@ from ecm_extract.infer.held import State
 from ecm_extract.infer.routes import NOWHERE
 from ecm_extract.infer.run import MAX_ITEMS, Frame
 from ecm_extract.link.code.walk import comprehensions
+
+if TYPE_CHECKING:
+    from ecm_extract.link.running.env import Bound
 
 
 class Comprehending:
@@ -57,9 +61,9 @@ class Comprehending:
                 return state if False in found else None
             seen.append(state)
             return self.choosing.after(at, state)
-        each, known = self.frame.body[loops[0]], self.frame.whole
-        items = self.frame.judge.rounds(each.value, self.frame.place(state)) if known and each.value else None
-        if items is None or len(items) > MAX_ITEMS:
+        each = self.frame.body[loops[0]]
+        items = self._known(each, state)
+        if items is None:
             return None
         current: State | None = state
         for item in items:
@@ -121,13 +125,18 @@ class Comprehending:
 
     def _each_of(self, loop: int, state: State) -> list[State]:
         each = self.frame.body[loop]
-        known = self.frame.whole and each.value is not None
-        items = (
-            self.frame.judge.rounds(each.value, self.frame.place(state)) if known and each.value is not None else None
-        )
-        if items is None or len(items) > MAX_ITEMS:
+        items = self._known(each, state)
+        if items is None:
             return [self.assigning.element(each, loop, state)]
         return [self.assigning.known_element(each, item, loop, state) for item in items]
+
+    def _known(self, each: Statement, state: State) -> list[Bound] | None:
+        """What a loop of a comprehension is over; None where not all of it is known, or some runs have more."""
+        asked = self.frame.whole and each.value is not None
+        rounds = self.frame.judge.rounds(each.value, self.frame.place(state)) if asked and each.value else None
+        if rounds is None or len(rounds) > MAX_ITEMS or any(entry.path for entry in rounds):
+            return None
+        return [entry.item for entry in rounds]
 
     def _passing(self, tests: Sequence[Expr], state: State) -> State | None:
         found = [self.frame.truth(test, state) for test in tests]

@@ -34,8 +34,9 @@ from ecm_extract.infer.handed_functions import HandedFunctions
 from ecm_extract.infer.led_into import led_into
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.parameter_names import name_at, name_for
-from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of
+from ecm_extract.infer.places import ALL_FIELDS, key_of, root_of, whole_of
 from ecm_extract.infer.reading_calls import leaves_arguments
+from ecm_extract.infer.swapping import swapped, swaps
 from ecm_extract.infer.targets import Targets
 from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.containers import ELEMENT_METHODS
@@ -90,8 +91,17 @@ class Effects:
         return expr if part is None or part is expr.base else Member(part, expr.name)
 
     def root(self, expr: Expr | None) -> str:
-        """Return the key of the variable that an expression reaches into, empty for none."""
-        return root_of(expr, self.own, self.is_member)
+        """Return the key of the variable that an expression reaches into, empty for none.
+
+        In C++ `box.table` of `box.all()["a"]`, where the method gives a reference to that.
+        """
+        if self.python:
+            return root_of(expr, self.own, self.is_member)
+        while expr is not None:
+            if key := self.key(expr):
+                return key
+            expr = whole_of(expr)
+        return ""
 
     def may_change(self, name: str) -> bool:
         """Tell whether the function may change what its parameter consists of, or give it to somebody who may."""
@@ -146,8 +156,8 @@ class Effects:
     def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:
         call = self._on_first(call)
         callee = call.callee
-        if self._swaps(call):
-            yield from self._swapped(call)
+        if swaps(call, self):
+            yield from swapped(call, self)
             return
         if self.python and callee == _SETATTR and call.args:
             yield Effect("lost", self.key(Member(call.args[0], ALL_FIELDS)), call)
@@ -210,23 +220,6 @@ class Effects:
         args = given_to(call) if self.python else ()
         made = (arg for arg in args if isinstance(arg, Items | Table | Op))
         return [key for arg in made for expr in bare_names(arg) if (key := self.key(expr))]
-
-    def _swaps(self, call: Call) -> bool:
-        """Whether a call is `std::swap(a, b)` or `a.swap(b)`, and none of a function of the tree."""
-        callee = call.callee
-        name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
-        given = 1 if isinstance(callee, Member) else 2
-        return not self.python and name in {"swap", "std::swap"} and len(call.args) == given
-
-    def _swapped(self, call: Call) -> Iterator[Effect]:
-        """Both change places at once; who is only a part of something leaves that unknown."""
-        both = [call.callee.base, *call.args] if isinstance(call.callee, Member) else list(call.args)
-        keys = [self.key(arg) for arg in both]
-        if all(keys) and not any("." in key[1:] for key in keys):
-            yield Effect("swapped", keys[0], call, keys[1])
-            yield Effect("swapped", keys[1], call, keys[0])
-            return
-        yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
     def _on_receiver(self, call: Call, callee: Member, at: int) -> Iterator[Effect]:
         if callee.name not in self.calls.changing:

@@ -18,9 +18,14 @@ if TYPE_CHECKING:
 MAX_WAYS = 8
 """Different things that a variable may hold before it counts as unknown."""
 
+MAX_COMPARED: Final = 1024
+"""Pairs of things of which is asked, for one variable, whether one is all that the other is."""
+
 MAX_REMEMBERED: Final = 64
 """Things that met of which all are remembered."""
 _MET: Final = "met"
+_BEGUN: Final = frozenset({"given", "shared"})
+"""What each variable is at most once where a function begins, and that is made anew where it is asked for."""
 
 How = Literal[
     "value",
@@ -229,7 +234,42 @@ def either(name: str, left: tuple[Held, ...], right: tuple[Held, ...]) -> tuple[
     own = any(held.how == "given" for held in left)
     more = [held for held in right if held not in left and not (own and held.how == "given")]
     ways = (*left, *more)
+    ways = _as_reached(ways) if len(ways) > MAX_WAYS else ways
     return ways if len(ways) <= MAX_WAYS else (Held("lost", name, before=ways[:MAX_WAYS]),)
+
+
+def _as_reached(ways: tuple[Held, ...]) -> tuple[Held, ...]:
+    """The same, without what stands beside itself as somebody may have changed its elements, and may not have."""
+    kept, known = list(ways), dict[tuple[Held, Held], bool]()
+    for held in ways:
+        if any(each is not held and _covers(each, held, known) for each in kept):
+            kept.remove(held)
+    return tuple(kept)
+
+
+def _covers(wide: Held, held: Held, known: dict[tuple[Held, Held], bool]) -> bool:
+    """Tell whether a thing is another one, or that with elements that somebody may have changed, on any route."""
+    if wide is held or (_is_begun(wide) and _is_begun(held) and wide.how == held.how):
+        return True
+    asked = (wide, held)
+    if len(known) >= MAX_COMPARED:
+        return False
+    if asked not in known:
+        known[asked] = False  # who asks in a circle
+        known[asked] = (
+            (held.how == "met" and all(_covers(wide, each, known) for part in held.parts for each in part.ways))
+            or (wide.how == "reached" and any(_covers(each, held, known) for each in wide.before))
+            or (wide.how == "met" and all(_any_covers(part, held, known) for part in wide.parts))
+        )
+    return known[asked]
+
+
+def _any_covers(part: Part, held: Held, known: dict[tuple[Held, Held], bool]) -> bool:
+    return any(_covers(each, held, known) for each in part.ways)
+
+
+def _is_begun(held: Held) -> bool:
+    return held.how in _BEGUN and held.env is None
 
 
 def all_ways(ways: Iterable[Held]) -> tuple[Held, ...]:

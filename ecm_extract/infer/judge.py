@@ -9,12 +9,13 @@ from ecm_parsers.source.expr import Call, Expr
 
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.rounds import Round
 from ecm_extract.infer.routes import Fork, Verdict
 from ecm_extract.infer.targets import Lending, Targets
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
-    from ecm_extract.link.running.env import Bound, Env
+    from ecm_extract.link.running.env import Env
 
 
 class Kept(NamedTuple):
@@ -110,8 +111,8 @@ class Judge(Targets, Protocol):
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""
 
-    def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
-        """Return what a loop is over, each element once; None when not all of it is known."""
+    def rounds(self, over: Expr, env: Env) -> list[Round] | None:
+        """Return the rounds that a loop may have, in order; None where it may have others."""
 
     def assigns_own_way(self, target: Expr | None, env: Env) -> bool:
         """Tell whether the class of an object of C++ says what an assignment to it does."""

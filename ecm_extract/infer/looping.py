@@ -36,21 +36,25 @@ class Looping:
         return self._while(loop, state) if loop.test is not None and self.frame.unrolls else self._blur(loop, state)
 
     def _over(self, loop: Loop, state: State) -> State | None:
-        each = self.frame.body[loop.each]
-        items = self.frame.judge.rounds(each.value, self.frame.place(state)) if each.value is not None else None
-        if items is None or len(items) > MAX_ITEMS:
+        each, self.frame.at = self.frame.body[loop.each], loop.each
+        rounds = self.frame.judge.rounds(each.value, self.frame.place(state)) if each.value is not None else None
+        if rounds is None or len(rounds) > MAX_ITEMS:
             return self._blur(loop, state)
         self.calling.giving.note(each, loop.each, self.frame.place(state), state)
         state = self._begun(loop, state)
         self.assigning.enter(each, state)
         self.exits.enter_loop()
         current: State | None = state
-        for item in items:
+        for item, path in rounds:
             if current is None:
                 break
-            current = self.assigning.known_element(each, item, loop.each, current)
-            current = self._round(loop, current)
-        if not items:
+            bound = self.assigning.known_element(each, item, loop.each, current)
+            if not path:
+                current = self._round(loop, bound)
+                continue
+            after = self._round(loop, bound.along((*bound.path, *path)))
+            current = joined_states([current, after])
+        if not rounds:
             self.blocks.unreached(loop.body, self.assigning.element(each, loop.each, state))
         return self._exit(loop, current)
 

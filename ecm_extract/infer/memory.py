@@ -198,6 +198,12 @@ class Memory:
         state = self.lost(self.parts_lost(key, state), others)
         return state.having(dict.fromkeys(alike, ways))
 
+    def with_fields_of_others(self, key: str, before: State, state: State) -> State:
+        """The state in which a reference of C++ has the fields of the object that it is another name of."""
+        for other in self.sharing.names_of(key) - {key}:
+            state = self.with_fields(key, other, before, state)
+        return state
+
     def with_fields(self, key: str, other: str, before: State, state: State) -> State:
         """The state in which a variable of C++ has the fields that another one had before it."""
         fields = {key + part.removeprefix(other): before.holds[part] for part in before.holds.within(other)}

@@ -82,6 +82,10 @@ def test_what_a_parameter_gives_is_put_in_as_it_stands(given: object, texts: lis
         (literal("~/out"), Handle(literal(""), literal("arm/other")), None, LocalName(("other/out",), "arm")),
         (*set_by("topic", [literal("odom")]), Handle(literal("base")), None, LocalName(("base/", ODOM))),
         (joined([(node_name(),), (literal("/out"),)])[0], OWN, "arm/here", LocalName(("~/out",), "arm")),
+        (*set_by("topic", joined([(node_name(),), (literal("/out"),)])), OWN, "arm/here",
+         LocalName((OpenPart("parameter", "topic", (OpenPart("node"), "/out")),), "arm")),
+        (joined([set_by("own", [node_name()]), (literal("/out"),)])[0], OWN, "arm/here",
+         LocalName((OpenPart("parameter", "own", (OpenPart("node"),)), "/out"), "arm")),
         (joined([(node_namespace(),), (literal("/out"),)])[0], OWN, "arm/here",
          LocalName((OpenPart("namespace"), "/out"))),
     ],
@@ -134,3 +138,25 @@ def test_a_part_that_a_source_asks_for_first_stays_open(workspace: Any) -> None:
     workspace.package({"src/n.cpp": text}, ros=1)
     found = {entry.name for entry in workspace.interfaces() if entry.role == "publisher"}
     assert found == {"/n/at_{given}", "/n/at_{host}"}
+
+
+OWN_BY_DEFAULT = """
+#include <rclcpp/rclcpp.hpp>
+class Reader : public rclcpp::Node {
+ public:
+  Reader() : Node("reader") {
+    declare_parameter("from", get_name() + std::string("/cloud"));
+    get_parameter("from", from_);
+    sub_ = create_subscription<std_msgs::msg::String>(from_, 1, [](std_msgs::msg::String::SharedPtr) {});
+  }
+  std::string from_;
+  rclcpp::Subscription<std_msgs::msg::String>::SharedPtr sub_;
+};
+int main() { rclcpp::spin(std::make_shared<Reader>()); }
+"""
+
+
+def test_a_parameter_that_is_below_the_name_of_the_node_by_default(workspace: Any) -> None:
+    """The whole name is the parameter's: nothing of it stands below the node where somebody sets it."""
+    found = workspace.package({"src/n.cpp": OWN_BY_DEFAULT}, ros=2).only("subscriber")
+    assert (found.name, found.confidence) == ("/reader/cloud", "default")

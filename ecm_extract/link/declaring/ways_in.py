@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from ecm_parsers.source.expr import THIS
 
+from ecm_extract.infer.held import Turn
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.declaring.closures import around, captured
@@ -67,11 +68,14 @@ class WaysIn:
                 yield Way((*way.places, place), way.certain and certain, is_split=True)
 
     def places(self, env: Env) -> Iterator[tuple[Env, bool]]:
-        """Yield a place once for each state, and whether a run that gets there in one of them does so in all."""
+        """Yield a place once for each state, and whether a run that gets there in any of them does so in this one."""
         places = self.folder.flow.places(env)
-        paths = {self.folder.flow.decisions.turns(place.state.path) for place in places if place.state is not None}
+        paths = dict.fromkeys(self._turns(place) for place in places if place.state is not None)
         for place in places:
-            yield place, len(paths) <= 1
+            yield place, len(paths) <= 1 or _is_on_all(self._turns(place), paths)
+
+    def _turns(self, place: Env) -> tuple[Turn, ...]:
+        return self.folder.flow.decisions.turns(place.state.path) if place.state is not None else ()
 
     def inside(self, site: Site, root: Env) -> list[Env]:
         """Walk from the outermost function, whose place is given, to the form itself: the place of each call."""
@@ -120,3 +124,10 @@ class WaysIn:
         made = Instance(cls, given, self.types.of_class(cls, link, env), maker, exact=True)
         types = self.types.of_function(func, link, env)
         return Env(func, following.at, given if begins else {}, types, cls, made)
+
+
+def _is_on_all(path: tuple[Turn, ...], paths: Iterable[tuple[Turn, ...]]) -> bool:
+    """Whether all paths to a place are one of them, but for what is asked beyond it: `if (more) names.add("b")`."""
+    own = set(path)
+    beyond = (turn for other in paths for turn in other if turn not in own)
+    return all(own.issubset(other) for other in paths) and all(turn.test is not None for turn in beyond)

@@ -51,6 +51,7 @@ from ecm_extract.link.folding.messages import MessageFolder
 from ecm_extract.link.folding.module_objects import ModuleObjects
 from ecm_extract.link.folding.optionals import OptionalFolder
 from ecm_extract.link.folding.own_copies import OwnCopies
+from ecm_extract.link.folding.perhaps import PerhapsFolder
 from ecm_extract.link.folding.popped import Popped
 from ecm_extract.link.folding.properties import PropertyFolder
 from ecm_extract.link.folding.redefined import Redefined
@@ -171,6 +172,7 @@ class Folder:
 
     def _begin_runs(self) -> None:
         """Make those who know what runs of functions leave variables with."""
+        self.perhaps = PerhapsFolder(self)
         self.nesting = self.scope.nesting
         self.flow = Flow(self)
         self.begun_objects = BegunObjects(self)

@@ -18,6 +18,7 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.begun_fields import begun_field
 from ecm_extract.link.folding.declared_numbers import as_declared
 from ecm_extract.link.folding.fold_changes import STREAMS, ChangeFolder
+from ecm_extract.link.folding.named_containers import container_of_variable
 from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.folding.same_objects import is_as_made
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
@@ -291,7 +292,8 @@ class HeldFolder:
             return self.folder.lists.items(held.expr, inner)
         if held.how == "made":
             statement = _statement(held)
-            return [] if statement is not None and begins_empty(statement.type) else None
+            written = statement.type if statement is not None else ""
+            return [] if begins_empty(container_of_variable(written, inner.func, self.folder.program)) else None
         if held.how in {"given", "shared"}:
             return self._items_at_first(held, env) if not held.before else None
         if held.how == "out":

@@ -26,6 +26,7 @@ from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.captured import captured, is_around
 from ecm_extract.link.folding.declared_members import only_source
 from ecm_extract.link.folding.made_lists import made_elements
+from ecm_extract.link.folding.named_containers import container_of_member
 from ecm_extract.link.folding.open_lists import OpenLists
 from ecm_extract.link.folding.python_lists import LIST_CALLS, OPERATED, ORDERLESS, SPLITS, operated
 from ecm_extract.link.folding.sorted_containers import in_their_order
@@ -289,11 +290,10 @@ class ListFolder:
         if not first or not env.func.is_constructor or cls is None:
             return self._left_in(Member(THIS, name), self.sources(Member(THIS, name), entry), entry)
         for base in self.folder.program.bases(cls):
-            found = self.folder.members.sources(name, base, entry)
-            if found:
+            if found := self.folder.members.sources_in_base(name, base, entry):
                 return self.folder.held.items(*found[0]) if len(found) == 1 else None
         default = self._found(self.declared(Member(THIS, name), entry))
-        empty = begins_empty(self.folder.scope.member_type(name, cls))
+        empty = begins_empty(container_of_member(self.folder.scope.member_type(name, cls), cls, self.folder.program))
         return default if default is not None else [] if empty else None
 
     def _at_first(self, expr: Name | Member, env: Env) -> list[Bound] | None:

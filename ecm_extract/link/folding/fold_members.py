@@ -274,6 +274,13 @@ class MemberFolder:
         """
         return [(held, place) for run, place in self.ends(name, cls, env) for held in self._left(run, name)]
 
+    def sources_in_base(self, name: str, base: Cls, env: Env) -> list[tuple[Held, Env]]:
+        """Return what the methods of a base leave a member with of the object at hand, whose constructor begins."""
+        cls = env.func.cls
+        made = env.made if env.made is not None or cls is None else Instance(cls, {}, {})
+        part = self.folder.objects.part(made, base) if made is not None else None
+        return self.sources(name, base, Env(env.func, env.at, this=env.this, made=part, depth=env.depth))
+
     def ends(self, name: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
         """Yield the run of each method that may change a data member, with its place; None for one that is run now."""
         concrete = env.made is not None and env.made.is_one

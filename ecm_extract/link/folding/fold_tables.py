@@ -15,6 +15,7 @@ from ecm_extract.link.code.left_alone import SPREAD, SPREAD_KEY
 from ecm_extract.link.code.own import is_own_member, own_name
 from ecm_extract.link.folding.captured import captured, is_around
 from ecm_extract.link.folding.declared_members import only_source
+from ecm_extract.link.folding.named_containers import container_of_member, container_of_variable, is_table
 from ecm_extract.link.folding.paired_tables import MAKERS, pairs_of
 from ecm_extract.link.folding.reached_elements import reached
 from ecm_extract.link.folding.subscripts import taken
@@ -182,9 +183,12 @@ class TableFolder:
                 return self._made(call, env)
             copies = call.last == "copy" and call.receiver is not None and not call.args
             return self.entries(call.receiver, env) if copies else self._returned_entries(call, env)
-        if call.receiver is None and is_map(call.path):
+        if call.receiver is None and is_map(container_of_variable(call.path, env.func, self.folder.program)):
             listed = call.args[0] if len(call.args) == 1 else Items(call.args)
-            return self._pairs(listed, env) if isinstance(listed, Items) else self.entries(listed, env)
+            if not isinstance(listed, Items):
+                return self.entries(listed, env)
+            pairs = self._pairs(listed, env)
+            return self._pairs(Items(call.args), env) if pairs is None else pairs
         return self._returned_entries(call, env)
 
     def _made(self, call: Invocation, env: Env) -> list[Entry] | None:
@@ -236,14 +240,14 @@ class TableFolder:
     def _kept_entries(self, held: Held, env: Env) -> list[Entry] | None:
         inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
         if held.how == "value":
-            declared = self._declared(held)
+            declared = is_table(held, self.folder.program)
             return (
                 self._pairs(held.expr, inner)
                 if declared and isinstance(held.expr, Items)
                 else self.entries(held.expr, inner)
             )
         if held.how == "made":
-            return [] if self._declared(held) else None
+            return [] if is_table(held, self.folder.program) else None
         if held.how in {"given", "shared"}:
             return self._entries_at_first(held, env)
         if held.how == "out":
@@ -266,12 +270,6 @@ class TableFolder:
             return [*before, Entry(Bound(held.expr, inner), Bound(held.more, inner))]
         return self._changed_entries(before, held, inner) if held.how == "changed" else None
 
-    def _declared(self, held: Held) -> bool:
-        """Whether a variable of C++ is declared as a table."""
-        body = held.env.func.fact.body if held.env is not None else ()
-        written = body[held.at].type if 0 <= held.at < len(body) else ""
-        return is_map(written)
-
     def _given_entries(self, key: str, env: Env) -> list[Entry] | None:
         """A member at the start of a constructor is empty, or what it is declared with."""
         name, cls = key.rpartition(".")[2], env.func.cls
@@ -280,13 +278,15 @@ class TableFolder:
             return self._entries(Name(name), entry)
         if not key.startswith(".") or not env.func.is_constructor or cls is None:
             return None
-        if any(self.folder.members.sources(name, base, env) for base in self.folder.program.bases(cls)):
-            return None
+        for base in self.folder.program.bases(cls):
+            found = self.folder.members.sources_in_base(name, base, env)
+            if found:
+                return self.held_entries(*found[0]) if len(found) == 1 else None
         field = cls.fields.get(name)
         if field is None:
             return None
         if field.default is None:
-            return [] if is_map(field.type) else None
+            return [] if is_map(container_of_member(field.type, cls, self.folder.program)) else None
         place = Env(env.func, 0, depth=env.depth + 1, this=cls)
         return (
             self._pairs(field.default, place)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Expr, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
 from ecm_extract.link.code.spelling import by_value
 from ecm_extract.link.code.units import Cls, Func
@@ -36,7 +36,7 @@ class HandedObjects:
                 break
             if expr.id in self.folder.flow.outline(place.func).changes:
                 return None  # it may be another one by now
-            expr, place = bound.expr, bound.env
+            expr, place = _behind(bound.expr), bound.env
         if place is env or not (self._asks_kept(callee) and self._is_as_made(expr, place)):
             return None
         made = self.folder.makers.of(expr, place)
@@ -69,6 +69,14 @@ class HandedObjects:
         named = self.folder.shifting.names(callee) - callee.given
         lineage = self.folder.program.ancestry(callee.cls) if callee.cls is not None else ()
         return bool(named) and all(any(_is_kept(name, cls) for cls in lineage) for name in named)
+
+
+def _behind(expr: Expr) -> Expr:
+    """The object that a pointer is taken from: `box` of `box.get()`, `&box` and `*box`."""
+    if isinstance(expr, Op) and expr.op in {"&", "*"} and len(expr.operands) == 1:
+        return _behind(expr.operands[0])
+    gets = isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name == "get" and not expr.args
+    return expr.callee.base if gets and isinstance(expr, Call) and isinstance(expr.callee, Member) else expr
 
 
 def _is_kept(name: str, cls: Cls) -> bool:

@@ -91,7 +91,7 @@ class Iterators:
 
     def _is_spent(self, expr: Name | Member, made: Expr | None, at: int, place: Env, env: Env) -> bool:
         """Whether a variable holds what is given only once, and it is not asked for in one place only."""
-        if not isinstance(made, Call) or not self._is_once(made, place):
+        if not isinstance(made, Call) or not self.is_once(made, place):
             return False
         func = env.func
         named = [
@@ -107,7 +107,8 @@ class Iterators:
         )
         return not isinstance(expr, Name) or len(asked) > 1 or rounds or bool(self.folder.nesting.inner(func))
 
-    def _is_once(self, made: Call, env: Env) -> bool:
+    def is_once(self, made: Call, env: Env) -> bool:
+        """Tell whether a call makes what gives each of its elements only once."""
         call = invocation_of(made, env)
         if call.receiver is None and (call.path in _ONCE or call.path.startswith("itertools.")):
             return True

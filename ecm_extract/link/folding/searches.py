@@ -40,8 +40,7 @@ class SearchFolder:
         """Return how many entries of a table have a key; None for other calls."""
         if call.last not in _ASKED or len(call.args) != 1 or call.receiver is None:
             return None
-        entries = self.folder.tables.entries(call.receiver, env)
-        has = self._has(entries, call.args[0], env) if entries is not None else None
+        has = self._in_any(call.receiver, call.args[0], env)
         if has is None:
             return None
         return demoted((constant(has if call.last == "contains" else int(has)),))
@@ -71,8 +70,19 @@ class SearchFolder:
         return self.folder.tables.chosen(entries, search.key, search.env)
 
     def _found(self, search: Search, env: Env) -> bool | None:
-        entries = self._entries(search, env)
-        return self._has(entries, search.key, search.env) if entries is not None else None
+        return self._in_any(search.table, search.key, search.env) if self._is_as_searched(search, env) else None
+
+    def _in_any(self, table: Expr, key: Expr, env: Env) -> bool | None:
+        """Whether a table has a key in every run, or in none of them; None where that is not decided."""
+        entries = self.folder.tables.entries(table, env)
+        if entries is not None:
+            return self._has(entries, key, env)
+        perhaps = self.folder.perhaps.entries(table, env)
+        if perhaps is None:
+            return None
+        if self._has([each.entry for each in perhaps if each.surely], key, env):
+            return True
+        return None if self._has([each.entry for each in perhaps], key, env) is not False else False
 
     def _has(self, entries: list[Entry], key: Expr, env: Env) -> bool | None:
         """Whether a table has a key; None where that is not decided."""
@@ -84,10 +94,14 @@ class SearchFolder:
 
     def _entries(self, search: Search, env: Env) -> list[Entry] | None:
         """The entries of the table that was searched, unless it may have changed since."""
+        as_searched = self._is_as_searched(search, env)
+        return self.folder.tables.entries(search.table, search.env) if as_searched else None
+
+    def _is_as_searched(self, search: Search, env: Env) -> bool:
         if search.env.func is not env.func:
-            return None
+            return False
         then, now = (self.folder.flow.ways(search.table, place) for place in (search.env, env))
-        return self.folder.tables.entries(search.table, search.env) if set(then) == set(now) else None
+        return set(then) == set(now)
 
     def _search(self, expr: Expr, env: Env) -> Search | None:
         """The search that gave an iterator: itself, or the one thing that a variable holds."""

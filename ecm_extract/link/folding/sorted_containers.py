@@ -13,6 +13,8 @@ from ecm_parsers.source.expr import Call, Expr, Items
 from ecm_extract.infer.compute import UNKNOWN
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.texts import written_type
+from ecm_extract.link.folding.named_containers import container_of_variable
+from ecm_extract.link.folding.table_pairs import pairs_of_table
 from ecm_extract.link.running.env import Bound, Env
 from ecm_extract.link.running.values import data_in
 
@@ -30,8 +32,15 @@ class _Element(NamedTuple):
 
 
 def in_their_order(found: list[Bound] | None, container: Expr, env: Env, folder: Folder) -> list[Bound] | None:
-    """Return the elements of a container as a loop over it sees them; those whose keys are not known as they stand."""
-    kind = last_name(plain(written_type(container, env.func))) if env.func.file.language == "cpp" else ""
+    """Return the elements of a container as a loop over it sees them; those whose keys are not known as they stand.
+
+    Of a table that statements filled they are its entries.
+    """
+    if env.func.file.language != "cpp":
+        return found
+    if found is None:
+        found = pairs_of_table(container, env, folder)
+    kind = _kind(container, env, folder)
     if found is None or kind not in _SORTED:
         return found
     keyed = [_Element(_key(bound, kind in _OF_PAIRS, folder), bound) for bound in found]
@@ -40,6 +49,12 @@ def in_their_order(found: list[Bound] | None, container: Expr, env: Env, folder:
         return found
     ordered = sorted(keyed if kind in _SEVERAL else _first_of_each(keyed), key=lambda each: each.key)
     return [each.bound for each in ordered]
+
+
+def _kind(container: Expr, env: Env, folder: Folder) -> str:
+    """The name of the type of a container, of an alias what that stands for."""
+    written = written_type(container, env.func)
+    return last_name(plain(container_of_variable(written, env.func, folder.program))) if written else ""
 
 
 def _first_of_each(keyed: Sequence[_Element]) -> list[_Element]:

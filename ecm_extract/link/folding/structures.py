@@ -52,7 +52,7 @@ class StructureFolder:
             return meant
         if whole is not None:
             values = self.handed_on(expr, env)
-            if values or self._has_changed_fields(whole) or self._is_given(Member(whole.expr, expr.name), whole.env):
+            if values or self._has_changed_fields(whole, expr.name):
                 return values
         made = self._constructed(expr, env)
         if made:
@@ -79,15 +79,12 @@ class StructureFolder:
         made = self.made(expr, env) if env.depth < MAX_DEPTH else None
         return made if made is not None and isinstance(made.expr, Name | Member) else None
 
-    def _has_changed_fields(self, whole: Bound) -> bool:
-        """Whether a field of an object is given something where that stands, so that it is not as it was made."""
+    def _has_changed_fields(self, whole: Bound, name: str) -> bool:
+        """Whether a field of an object is given something where that stands, be it by a pointer to it."""
         outline = self.folder.flow.outline(whole.env.func)
         root = outline.effects.root(whole.expr)
-        return not root or any(key.startswith(f"{root}.") for key in outline.changes)
-
-    def _is_given(self, field: Member, env: Env) -> bool:
-        """Whether a field has been given something of its own in the function, or by a pointer to it."""
-        return bool(self.folder.flow.ways(field, env))
+        given = self.folder.flow.ways(Member(whole.expr, name), whole.env)
+        return bool(given) or not root or any(key.startswith(f"{root}.") for key in outline.changes)
 
     def _constructed(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """What the constructor that takes the arguments of an object best gives its member; empty without one."""

@@ -133,8 +133,9 @@ class ChangedOutside:
                 if isinstance(target, Member) and isinstance(target.base, Op):
                     owners = (target.base,) if func.file.language == "python" else chosen(target.base)
                     found[target.name] += [(func, owner) for owner in owners]
-            for owner, name in self._lent(func):
-                found[name].append((func, owner))
+            for part in self._lent(func):
+                for owner, name in _fields(part):
+                    found[name].append((func, owner))
         kept = ((each.func, each.key) for each in self.folder.kept_parts.all())
         for func, key in (*self._changed_keys(), *kept):
             for owner, field in _owned(key):
@@ -144,19 +145,28 @@ class ChangedOutside:
     def _changed_keys(self) -> Iterator[tuple[Func, str]]:
         for func in self.functions:
             outline = self.folder.flow.outline(func)
-            yield from ((func, key) for key in {*outline.changes, *outline.altered})
+            lent = map(self.folder.flow.effects(func).root, self._lent(func))
+            yield from ((func, key) for key in {*outline.changes, *outline.altered, *lent})
 
-    def _lent(self, func: Func) -> Iterator[tuple[Expr, str]]:
-        """Yield the objects of whose fields a function of C++ binds one to a reference, or takes the address of it."""
-        if func.file.language != "cpp":
-            return
-        referred = (statement.value for statement in func.fact.body if _refers(statement))
-        for expr in (*referred, *_addressed(func)):
-            part = expr
-            while isinstance(part, Member):
-                if part.base != THIS:
-                    yield part.base, part.name
-                part = part.base
+    def _lent(self, func: Func) -> Iterator[Expr]:
+        """Yield what a function of C++ binds to a reference, or takes the address of."""
+        if func.file.language == "cpp":
+            referring = (each for each in func.fact.body if _refers(each))
+            yield from (
+                each.value
+                for each in referring
+                if each.value is not None and (each.kind == "let" or self._is_written(each, func))
+            )
+            yield from _addressed(func)
+
+    def _is_written(self, each: Statement, func: Func) -> bool:
+        """Whether a function changes what a loop gives it, or hands it to somebody who may."""
+        outline = self.folder.flow.outline(func)
+        bound = set(outline.bound_keys(each.target))
+        within = any(key.partition(".")[0] in bound for key in (*outline.altered, *outline.escaped))
+        return within or any(
+            key.partition(".")[0] in bound and (count > 1 or "." in key) for key, count in outline.changes.items()
+        )
 
 
 def _addressed(func: Func) -> Iterator[Expr]:
@@ -183,6 +193,14 @@ def _is_element(func: Func, owner: Expr) -> bool:
 def _refers(statement: Statement) -> bool:
     written = statement.type
     return statement.kind in {"let", "each"} and written.endswith("&") and "const" not in written.split()
+
+
+def _fields(part: Expr) -> Iterator[tuple[Expr, str]]:
+    """Yield the objects that something lies in, other than the one at hand, each with its field: `rows[0].name`."""
+    while isinstance(part, Member):
+        if part.base != THIS:
+            yield part.base, part.name
+        part = part.base
 
 
 def _owned(key: str) -> Iterator[tuple[Expr, str]]:

@@ -15,6 +15,7 @@ from ecm_extract.infer.judge import Kept
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import as_written
 from ecm_extract.infer.read_into import Reads
+from ecm_extract.infer.rounds import Round
 from ecm_extract.infer.routes import Fork, Verdict
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.naming_calls import leaves_arguments, searches
@@ -269,9 +270,10 @@ class Flow:
         """Tell whether two expressions (likely) have the same value; None when that is not decided."""
         return self.truths.alike(one, other, env, likely)
 
-    def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
-        """Return what a loop is over, each element once; None when not all of it is known."""
-        return self.folder.lists.in_any_order(over, env)
+    def rounds(self, over: Expr, env: Env) -> list[Round] | None:
+        """Return the rounds that a loop may have, in order; None where it may have others."""
+        items = self.folder.lists.in_any_order(over, env)
+        return self.folder.perhaps.items(over, env) if items is None else [Round(item) for item in items]
 
     def target(self, call: Call, func: Func, at: int) -> Func | None:
         """Return the function with a body that a call in a statement of a function means."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -11,6 +12,7 @@ from tree_sitter import Language, Parser
 
 from ecm_parsers.source import cpp_text
 from ecm_parsers.source.cpp_branches import with_one_branch
+from ecm_parsers.source.cpp_conditionals import without_conditionals
 from ecm_parsers.source.cpp_word_operators import with_signs
 
 if TYPE_CHECKING:
@@ -52,24 +54,33 @@ def parse_tree(data: bytes) -> tuple[Tree, bytes]:
 
 
 def _less_torn(tree: Tree, data: bytes) -> tuple[Tree, bytes]:
-    """Parse without conditionals; what leaves less unread is taken."""
-    bare = cpp_text.without_conditionals(data)
-    other = _parse(bare)
-    return (other, bare) if _unread(other.root_node) < _unread(tree.root_node) else (tree, data)
+    """Parse without the conditionals that errors touch, then without any; what leaves less unread is taken."""
+    unread = _unread(tree.root_node)
+    touched = without_conditionals(data, [(error.start_byte, error.end_byte) for error in _errors(tree.root_node)])
+    for bare in dict.fromkeys((touched, without_conditionals(data))):
+        if unread and bare != data:
+            other = _parse(bare)
+            left = _unread(other.root_node)
+            if left < unread:
+                tree, data, unread = other, bare, left
+    return tree, data
 
 
 def _unread(root: Node) -> int:
     """How many bytes the outermost errors span, and one for each thing that is missing."""
-    total, pending = 0, [root]
+    return sum(1 if error.is_missing else error.end_byte - error.start_byte for error in _errors(root))
+
+
+def _errors(root: Node) -> Iterator[Node]:
+    """Yield the outermost errors, and what is missing, but for a `;`."""
+    pending = [root]
     while pending:
         node = pending.pop()
-        if node.type == "ERROR":
-            total += node.end_byte - node.start_byte
-        elif node.is_missing:
-            total += node.type != ";"
+        if node.type == "ERROR" or node.is_missing:
+            if node.type != ";":
+                yield node
         else:
             pending.extend(child for child in node.children if child.has_error)
-    return total
 
 
 def _parse(data: bytes) -> Tree:

@@ -9,8 +9,6 @@ an enum, `#if` inside an expression, a comment in a `#define` of several lines, 
 import re
 from collections.abc import Callable, Iterable
 
-from ecm_parsers.source.cpp_directives import directives
-
 _EXPORT_WORD = re.compile(rb"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|LOCAL|API|IMPORT|HIDDEN|DEPRECATED)\b(?!\s*\()")
 _CLASS_WORD = re.compile(rb"((?:class|struct) )([A-Z][A-Z0-9_]{2,})(?= \w+\s*(?:final\s*)?[:{])")
 _MACRO_LINE = re.compile(
@@ -40,7 +38,6 @@ _BESIDE = re.compile(
 BRACES = b"$$"
 """Stands for `{}` where the grammar knows no braces; no code has such a name."""
 _EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")
-_CONDITIONAL = frozenset({b"if", b"ifdef", b"ifndef", b"elif", b"else", b"endif"})
 _DEFINE_LINE = re.compile(rb"^[ \t]*#[^\\\n]*(?:\\(?:\r?\n|[^\n])[^\\\n]*)*", re.MULTILINE)
 _COMMENT = re.compile(rb"/\*.*?\*/", re.DOTALL)
 _REGISTRATION = re.compile(rb"^[ \t]*([A-Z][A-Z0-9_]*(?:REGISTER|EXPORT|DECLARE)[A-Z0-9_]*)\s*\(", re.MULTILINE)
@@ -87,11 +84,6 @@ def without_macros(data: bytes) -> bytes:
 def hides_class(data: bytes) -> bool:
     """Tell whether a macro before its name makes a class look like a function: `struct ALIGNED Point {`."""
     return _CLASS_WORD.search(data) is not None
-
-
-def without_conditionals(data: bytes) -> bytes:
-    """Return `data` with `#if`, `#else` and `#endif` lines blanked, both branches kept, length unchanged."""
-    return blanked_at(data, [(each.start, each.end) for each in directives(data) if each.word in _CONDITIONAL])
 
 
 def registrations(data: bytes) -> list[tuple[str, tuple[str, ...], int]]:
