@@ -13,23 +13,16 @@ if TYPE_CHECKING:
     from ecm_extract.infer.effects import Effects
 
 
-def by_class(call: Call, at: int, effects: Effects) -> Iterator[Effect]:
+def by_class(call: Call, effects: Effects) -> Iterator[Effect]:
     """Yield the object that such a call of a method of the tree may change: not the one at hand, which is followed.
 
     Args:
         call: any call.
-        at: the statement that it stands in.
         effects: of the function that calls.
     """
     method = call.callee
     if not isinstance(method, Member) or not call.args or call.args[0] == THIS or not effects.is_of_class(method):
         return
-    target = effects.targets.target(call, effects.func, at)
-    own = target is not None and target.cls is not None and "static" not in target.fact.traits
-    root = (
-        effects.root(call.args[0])
-        if own and effects.targets.parameters.changes_object(method, effects.func, at)
-        else ""
-    )
-    if root:
+    root = effects.root(call.args[0])
+    if root and effects.targets.parameters.changes_by_class(method, effects.func):
         yield Effect("lost", root, call)

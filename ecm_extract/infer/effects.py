@@ -165,7 +165,7 @@ class Effects:
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee, at)
         yield from by_method_pointer(call, self)
-        yield from by_class(call, at, self)
+        yield from by_class(call, self)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         last = path.rsplit("::", 1)[-1]
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]

@@ -13,6 +13,7 @@ from ecm_extract.infer.effects import Effects, is_within
 from ecm_extract.infer.library_calls import calls_of
 from ecm_extract.infer.other_names import changed_as_others
 from ecm_extract.infer.pointing import is_address
+from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.overloads import score
 from ecm_extract.link.code.spelling import may_be_written
 from ecm_extract.link.code.units import Func
@@ -98,6 +99,14 @@ class ChangedParameters:
         if target is None or target.cls is None:
             return not self.folder.methods.all_leave(method.name, func)
         return not self.folder.methods.leaves(target, target.cls)
+
+    def changes_by_class(self, method: Member, func: Func) -> bool:
+        """Tell whether a method that Python calls by its class may change the object that it gets: `Base.reset(x)`."""
+        program = self.folder.program
+        cls = program.class_named(dotted_name(method.base), func.file, func.fact.scope)
+        methods = [each for entry in program.ancestry(cls) for each in entry.methods] if cls is not None else []
+        named = (each for each in methods if each.fact.name == method.name)
+        return cls is not None and any(not self.folder.methods.leaves(each, cls) for each in named)
 
     def leaves_object(self, method: Func) -> bool:
         """Tell whether a method changes no member of its object, and calls no other one that might."""
