@@ -233,7 +233,8 @@ def judged_combined(language: str, number: int, seed: str) -> Iterator[Judged]:
         batch = {f"p{at}": program for at, program in enumerate(combined[start : start + BATCH], start)}
         with tempfile.TemporaryDirectory() as folder:
             for line in _of_batch(language, Path(folder), {name: each.text for name, each in batch.items()}):
-                yield replace(line, place=(batch[Path(line.place[0]).stem].name, line.place[1]))
+                told = tuple([replace(each, lines=frozenset()) for each in line.told])  # each place is run once
+                yield replace(line, place=(batch[Path(line.place[0]).stem].name, line.place[1]), told=told)
 
 
 def _of_batch(language: str, root: Path, programs: Mapping[str, str]) -> Iterator[Judged]:
