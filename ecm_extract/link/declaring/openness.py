@@ -54,6 +54,9 @@ class Openness:
         for expr, accepts in ((handle, _is_handle), (_qos(site), self._is_made_of)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
+        if any(value.confidence == "pattern" for value in names):
+            parts = _own_fields(name_argument(site.form, site.call))
+            made = made.union(*(self._origin(part, site, _is_parameter)[1] for part in parts))
         return params, made
 
     def _redefined(self, site: Site, names: Sequence[Value]) -> frozenset[str]:
@@ -205,6 +208,18 @@ def _whole(expr: Expr | None) -> Expr | None:
     while isinstance(expr, Member) and expr.base != THIS:
         expr = expr.base
     return expr
+
+
+def _own_fields(expr: Expr | None) -> Iterator[Expr]:
+    """Yield the members of the object at hand of which an expression has a field: `self.part` of `self.part.name`."""
+    if isinstance(expr, Member) and is_own_member(expr.base):
+        yield expr.base
+    for part in children(expr) if expr is not None else ():
+        yield from _own_fields(part)
+
+
+def _is_parameter(name: str, func: Func) -> bool:
+    return name in func.given
 
 
 def _is_handle(name: str, func: Func) -> bool:
