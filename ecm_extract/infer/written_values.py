@@ -21,9 +21,10 @@ def arguments(value: Expr | None) -> tuple[Expr, ...]:
 
 
 def referred(value: Expr | None) -> Iterator[Expr]:
-    """Yield the variables that others get a reference to: `std::bind(f, std::ref(x))`."""
-    calls = calls_in(value) if value is not None else ()
-    return (arg for call in calls if call.callee in _REFERRING for arg in call.args)
+    """Yield the variables that others get a reference to: `std::bind(f, std::ref(x))`, `std::pair<T &, int>(x, 1)`."""
+    for call in calls_in(value) if value is not None else ():
+        if call.callee in _REFERRING or any(each.endswith("&") for each in call.types):
+            yield from call.args
 
 
 def addressed_in(value: Expr | None) -> Iterator[Expr]:

@@ -19,6 +19,13 @@ def may_be_another(expr: Member, env: Env, folder: Folder) -> bool:
     return _is_of_changed_variable(expr, env, folder) or _is_of_lost(expr.base, env, folder)
 
 
+def is_lost(variable: Expr, env: Env, folder: Folder) -> bool:
+    """Tell whether nobody knows what somebody made of an object of C++ who has it."""
+    if env.func.file.language != "cpp" or not isinstance(variable, Name | Member):
+        return False
+    return any(held.how == "lost" for way in folder.flow.ways(variable, env) for held in way)
+
+
 def _is_of_changed_variable(expr: Member, env: Env, folder: Folder) -> bool:
     """Tell whether an object is in a variable of a namespace that functions change, or others have a member."""
     if env.func.file.language == "python":

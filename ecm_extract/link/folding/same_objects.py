@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Final
 from ecm_parsers.source.expr import THIS, Call, Expr, Lambda, Member, Name
 
 from ecm_extract.infer.bare_names import bare_names
+from ecm_extract.infer.effects import is_within
 from ecm_extract.infer.held import all_ways
 from ecm_extract.infer.places import whole_of
+from ecm_extract.link.code.spelling import may_be_written
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import given_to
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env
@@ -77,11 +79,21 @@ def is_as_made(expr: Expr, env: Env, folder: Folder) -> bool:
 
 
 def _is_handed(variable: Expr, env: Env, flow: Flow) -> bool:
-    """Whether a call before gets a variable of C++, or a part of it, be it to make an object."""
+    """Whether a call before gets a variable of C++, or a part of it, that it may write to, be it to make an object."""
     effects = flow.effects(env.func)
-    key = effects.key(variable)
-    calls = (call for group in env.func.calls[: env.at] for call in group)
-    return any(effects.root(arg) == key for call in calls for arg in given_to(call))
+    key = effects.key(variable) or effects.root(variable)
+    placed = ((at, call) for at, group in enumerate(env.func.calls[: env.at]) for call in group)
+    given = (effects.root(arg) for at, call in placed for arg in _written_by(call, env.func, at, flow))
+    return any(is_within(each, key) or is_within(key, each) for each in given if each)
+
+
+def _written_by(call: Call, func: Func, at: int, flow: Flow) -> Iterator[Expr]:
+    """Yield the arguments of a call but those that a function of the tree gets as constants or copies."""
+    target = flow.target(call, func, at)
+    params = target.fact.params if target is not None else ()
+    for place, arg in enumerate(given_to(call)):
+        if place >= len(params) or may_be_written(params[place].type):
+            yield arg
 
 
 def left_by_maker(name: str, place: Env, exact: bool, folder: Folder) -> tuple[Value, ...]:

@@ -15,6 +15,7 @@ from ecm_extract.link.code.member_paths import lies_deep
 from ecm_extract.link.code.pointed import is_only_reached_into, pointed
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.folding.asked_once import AskedOnce
+from ecm_extract.link.folding.changed_objects import is_lost
 from ecm_extract.link.folding.constructions import construction_of, given_of, left_empty, named_parts
 from ecm_extract.link.folding.left_by_constructors import left_by_constructors
 from ecm_extract.link.folding.replaced_fields import with_fields_in_place
@@ -45,7 +46,7 @@ class StructureFolder:
 
     def field(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return the values of a field; empty when it is not known what the object is made from."""
-        if self._is_reached_into(expr, env):
+        if self._is_reached_into(expr, env) or is_lost(expr.base, env, self.folder):
             return ()
         whole = self._of_other(expr.base, env)
         if meant := by_variable(whole, expr, env, self.folder):
@@ -266,8 +267,7 @@ class StructureFolder:
 
         Where a function gives it, it is the variable of that which it gives back.
         """
-        found = self._made(expr, env)
-        if found is None:
+        if (found := self._made(expr, env)) is None:
             return None
         return self.folder.returns.given_back(self.folder.own_copies.copied(with_fields_in_place(found, self.folder)))
 

@@ -15,7 +15,7 @@ from ecm_extract.infer.other_names import changed_as_others
 from ecm_extract.infer.pointing import is_address
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.overloads import score
-from ecm_extract.link.code.spelling import may_be_written
+from ecm_extract.link.code.spelling import by_value, may_be_written
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.left_by_makers import LeftByMakers
@@ -79,7 +79,18 @@ class ChangedParameters:
         env = Env(func, at, this=func.cls)
         invocation = invocation_of(call, env)
         first, *others = self.folder.objects.callees(invocation, env) or (None,)
-        return [each for each in others if first is not None and score(invocation, each) == score(invocation, first)]
+        alike = [each for each in others if first is not None and score(invocation, each) == score(invocation, first)]
+        return [*alike, *self._overriding(call, env)]
+
+    def _overriding(self, call: Call, env: Env) -> Iterator[Func]:
+        """The methods that run in place of one which a call names by a pointer or reference to a base."""
+        method = call.callee
+        cls = self.folder.objects.class_of(method.base, env) if isinstance(method, Member) else None
+        if not isinstance(method, Member) or cls is None or by_value(self.folder.objects.type_of(method.base, env)):
+            return
+        for derived in self.folder.program.derived(cls):
+            named = (each for each in derived.methods if each.fact.name == method.name)
+            yield from (each for each in named if len(each.fact.params) >= len(call.args))
 
     def may_by(self, call: Call, func: Func, at: int) -> bool:
         """Tell whether a call in a statement of a function, of one of the tree, may change its first argument."""
