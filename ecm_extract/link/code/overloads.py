@@ -66,11 +66,21 @@ def is_countable(call: Invocation, func: Func) -> bool:
     return spreads(call) or least <= len(taken_by(func, call)) + len(call.keywords) <= most
 
 
+def _has_too_few(call: Invocation, func: Func) -> bool:
+    """Whether a call names more types than a template has parameters, which it cannot mean ([temp.arg.explicit])."""
+    is_constructor = func.cls is not None and func.fact.name == func.cls.fact.name
+    if not func.own_template or is_constructor or "variadic" in func.fact.traits:
+        return False
+    invented = sum("auto" in parameter.type.split() for parameter in func.fact.params)  # [dcl.fct]: each is one more
+    named = [written for written in call.types if "..." not in written]  # what a pack holds may be nothing
+    return len(named) > len(func.own_template) + invented
+
+
 def _deducible(call: Invocation, func: Func) -> bool:
     """A template parameter that no function parameter mentions must be given at the call; those of its class are."""
     own = func.own_template
     if call.types or not own:
-        return True
+        return not _has_too_few(call, func)
     text = " ".join(parameter.type for parameter in func.fact.params)
     return not any(name and name not in text for name in own[:1])
 

@@ -28,7 +28,7 @@ from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
 from ecm_parsers.source.cpp_namespaces import opened
 from ecm_parsers.source.cpp_parameters import declared_name, parameters, specialized
 from ecm_parsers.source.cpp_place import Place
-from ecm_parsers.source.cpp_templates import template_parameters
+from ecm_parsers.source.cpp_templates import is_variadic, template_parameters
 from ecm_parsers.source.cpp_vexing import is_call_of_macro
 from ecm_parsers.source.expr import Call, Expr, Items, Name, Number, Op
 from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile, Using
@@ -118,10 +118,11 @@ class DeclarationReader:
 
     def template(self, node: Node, place: Place) -> None:
         """A template: its parameters go to what it declares."""
-        names, defaults = template_parameters(self.expr, node.child_by_field_name("parameters"))
+        listed = node.child_by_field_name("parameters")
+        written = (*template_parameters(self.expr, listed), is_variadic(listed))
         for child in node.named_children:
             if child.type != "template_parameter_list":
-                self.read(child, Place(place.scope, place.access, place.anonymous, names, defaults))
+                self.read(child, Place(place.scope, place.access, place.anonymous, *written))
 
     def classes_of(self, node: Node, place: Place) -> None:
         """A class or struct with its members; one without a name is called like what it declares."""

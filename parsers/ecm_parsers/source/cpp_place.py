@@ -7,10 +7,10 @@ class Place:
     """Where a declaration stands: scope, access, anonymous namespace, and the template parameters as written.
 
     `written` is None outside of templates, and empty for an explicit specialization; `defaults` are those of the
-    parameters that have one.
+    parameters that have one, and `variadic` tells whether one is a pack.
     """
 
-    __slots__ = ("access", "anonymous", "defaults", "scope", "written")
+    __slots__ = ("access", "anonymous", "defaults", "scope", "variadic", "written")
 
     def __init__(
         self,
@@ -19,12 +19,14 @@ class Place:
         anonymous: bool = False,
         written: tuple[str, ...] | None = None,
         defaults: tuple[tuple[str, str], ...] = (),
+        variadic: bool = False,
     ) -> None:
         self.scope = scope
         self.access = access
         self.anonymous = anonymous
         self.written = written
         self.defaults = defaults
+        self.variadic = variadic
 
     @property
     def template(self) -> tuple[str, ...]:
@@ -37,6 +39,7 @@ class Place:
         return Place(scope, access, self.anonymous or not name)
 
     def traits(self) -> tuple[str, ...]:
-        """Return what the place makes of its declarations: hidden access, anonymous namespace."""
+        """Return what the place makes of its declarations: hidden, in an anonymous namespace, of a template with a pack."""
         hidden = (self.access,) if self.access in {"private", "protected"} else ()
-        return (*hidden, "anonymous") if self.anonymous else hidden
+        packed = ("variadic",) if self.variadic else ()
+        return (*hidden, "anonymous", *packed) if self.anonymous else (*hidden, *packed)

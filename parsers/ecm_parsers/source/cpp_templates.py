@@ -10,6 +10,12 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 
+def is_variadic(listed: Node | None) -> bool:
+    """Tell whether one of the parameters of a template is a pack, which takes as many arguments as there are."""
+    params = listed.named_children if listed is not None else []
+    return any(b"..." in (child.text or b"") for child in params)
+
+
 def template_parameters(reader: ExprReader, listed: Node | None) -> tuple[tuple[str, ...], tuple[tuple[str, str], ...]]:
     """Return the names of the parameters of a template, and the name and default of each type that has one."""
     params = listed.named_children if listed is not None else []

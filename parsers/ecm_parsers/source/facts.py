@@ -69,7 +69,8 @@ class Function(_Fact, frozen=True):
             `anonymous` (namespace), `deprecated`, `const`, `generator`, `receiving` (one that uses what it is
             sent), `coroutine`, `reference` (it returns one,
             or a pointer, to what may be changed), `lending` (to what may not), `elsewhere` (its name says in
-            which class or namespace of C++ it was declared: `void A::b() {}`).
+            which class or namespace of C++ it was declared: `void A::b() {}`), `variadic` (a parameter of its
+            template is a pack).
         decorators: Python decorators or C++ attributes, as written.
         flow: how the statements of its body follow each other; empty where they simply do.
         shared: names that a Python function takes from around it to assign them (`global`, `nonlocal`).
