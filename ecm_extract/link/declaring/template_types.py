@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
+from typing import Final
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number
 
@@ -19,6 +20,9 @@ from ecm_extract.link.interfaces.elements import element_given, spelled_out
 from ecm_extract.link.interfaces.message_fields import MessageFields
 from ecm_extract.link.running.arguments import bind
 from ecm_extract.link.running.env import Env
+
+_REFERRING: Final = frozenset({"std::ref"})
+"""en.cppreference.com, std::ref: gives a `std::reference_wrapper` of the type of its argument."""
 
 
 class TemplateTypes:
@@ -110,6 +114,9 @@ class TemplateTypes:
             return "bool" if expr.name in {"true", "false"} else ""
         if isinstance(expr, Call) and isinstance(expr.callee, Name) and is_container(expr.callee.id):
             return f"{expr.callee.id}<{', '.join(expr.types)}>" if expr.types else ""
+        if isinstance(expr, Call) and isinstance(expr.callee, Name) and expr.callee.id in _REFERRING:
+            held = self._written(expr.args[0], env) if len(expr.args) == 1 else ""
+            return f"std::reference_wrapper<{held}>" if held else ""
         written = unqualified(self._as_written(expr, env))
         return "" if plain(written) == "auto" else self.meant(written, env)
 

@@ -8,7 +8,8 @@ from ecm_checker.hub.roles import Role, roles
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.code.numbers import as_number
-from ecm_extract.link.code.spelling import plain, template_arguments
+from ecm_extract.link.code.spelling import last_name, plain, template_arguments
+from ecm_extract.link.code.templates import unqualified
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.endpoints.asked_types import AskedElsewhere, asked_type
@@ -128,7 +129,8 @@ class EndpointTypes:
                 return self._default_type(inner, env)
             arguments = f"<{', '.join(default.types)}>" if default.types else ""
             return self._declared(default.callee.id + arguments, env)
-        found = self._declared(self.folder.objects.type_of(default, env), env) if default is not None else None
+        shown = self.folder.objects.type_of(default, env) if default is not None else ""
+        found = self._declared(_referred(shown, env), env)
         return found or (self._wrapped_type(default, env) if isinstance(default, Name) else None)
 
     def _parameter_type(self, name: str, env: Env) -> str | None:
@@ -197,6 +199,12 @@ class EndpointTypes:
                 known = type_of_data(data) if data is not UNKNOWN else None
                 return known or self._default_type(bound.expr, bound.env)
         return None
+
+
+def _referred(written: str, env: Env) -> str:
+    """The type of what a `std::reference_wrapper<T>` refers to, by the call of a template; other types as they are."""
+    held = template_arguments(written) if last_name(plain(written)) == "reference_wrapper" else ()
+    return env.types.get(unqualified(held[0]), held[0]) if held else written
 
 
 def _is_listed(own: str | None, data: Any) -> bool:

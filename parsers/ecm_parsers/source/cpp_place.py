@@ -39,7 +39,7 @@ class Place:
         return Place(scope, access, self.anonymous or not name)
 
     def traits(self) -> tuple[str, ...]:
-        """Return what the place makes of its declarations: hidden, in an anonymous namespace, of a template with a pack."""
+        """Return what the place makes of its declarations: hidden, anonymous, of a template that has a pack."""
         hidden = (self.access,) if self.access in {"private", "protected"} else ()
         packed = ("variadic",) if self.variadic else ()
         return (*hidden, "anonymous", *packed) if self.anonymous else (*hidden, *packed)
