@@ -259,9 +259,9 @@ class Calling:
 
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:
         if effect.kind == "swapped":
-            before = env.state or state
-            state = self.memory.exchanged(effect.key, self.memory.known(effect.name, before, env), state)
-            return self.memory.with_fields(effect.key, effect.name, before, state)
+            then = env.state or state
+            state = self.memory.exchanged(effect.key, self.memory.known(effect.name, then, env), state)
+            return self.memory.with_fields(effect.key, effect.name, then, state)
         if effect.kind == "found":
             return self.memory.in_place(effect.key, Held("value", effect.key, effect.call, env), state)
         before = self.memory.known(effect.key, state, env)

@@ -41,6 +41,9 @@ class Parameters(Protocol):
     def changes_object(self, method: Member, func: Func, at: int) -> bool:
         """Tell whether a method that a statement of a function of Python hands on may change what it is a method of."""
 
+    def changes_by_class(self, method: Member, func: Func) -> bool:
+        """Tell whether a method that Python calls by its class may change the object that it gets: `Base.reset(x)`."""
+
     def fields(self, func: Func, name: str) -> Set[str] | None:
         """Return the fields of a parameter that a function changes, by key; None where it may do anything to it."""
 

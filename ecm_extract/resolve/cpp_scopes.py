@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import takewhile
+from typing import NamedTuple
 
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls
@@ -17,6 +18,18 @@ from ecm_extract.resolve.views import View
 
 MAX_RENAMES = 10
 """How many aliases in front of `::` are followed: code that compiles needs two or three."""
+
+
+class _Led(NamedTuple):
+    """How a name was led to by aliases.
+
+    Attributes:
+        depth: how many.
+        asked: the names, each with its scope, that were looked through on any way: they give nothing new.
+    """
+
+    depth: int
+    asked: set[tuple[str, str]]
 
 
 def enclosing_scopes(scope: str) -> list[str]:
@@ -47,22 +60,24 @@ class Scopes:
         self._bases = bases
         self._by_directives: dict[tuple[str, View], Mapping[str, list[str]]] = {}
 
-    def levels(self, name: str, scope: str, view: View, depth: int = 0) -> Iterator[Sequence[str]]:
+    def levels(self, name: str, scope: str, view: View) -> Iterator[Sequence[str]]:
         """Yield the qualified names of a name as written in a scope, those of one scope together.
 
         Args:
             name: possibly qualified, without template arguments.
             scope: in which it is written.
             view: the files that are seen.
-            depth: how many aliases led to the name.
         """
+        return self._levels(name, scope, view, _Led(0, set()))
+
+    def _levels(self, name: str, scope: str, view: View, led: _Led) -> Iterator[Sequence[str]]:
         bare = name.removeprefix("::")
         around = scope.removeprefix("::") if bare is name else ""
         used = self._used(around, view)
         for prefix in enclosing_scopes(around):
             own, through = joined(prefix, bare), [joined(each, bare) for each in used.get(prefix, ())]
             found = [own, *through]
-            yield list(dict.fromkeys(each for one in found for each in self._meanings(one, view, depth)))
+            yield list(dict.fromkeys(each for one in found for each in self._meanings(one, view, led)))
             brought = [each for one in (found if "::" in bare else through) for each in _brought(one, view)]
             if brought:
                 yield brought
@@ -82,17 +97,17 @@ class Scopes:
                         known[_around(where, whole)].append(whole)
         return known
 
-    def _meanings(self, qualified: str, view: View, depth: int) -> Iterator[str]:
+    def _meanings(self, qualified: str, view: View, led: _Led) -> Iterator[str]:
         """A qualified name, and what it is by the bases and aliases of what stands in front of it."""
         yield qualified
         owner, _, last = qualified.rpartition("::")
         for cls in self._classes.get(owner, ()) if owner else ():
             if cls.file in view:
                 yield from (joined(base.qualified, last) for base in self._bases(cls))
-        if owner and depth < MAX_RENAMES:
-            yield from self._renamed(qualified, view, depth)
+        if owner and led.depth < MAX_RENAMES:
+            yield from self._renamed(qualified, view, led)
 
-    def _renamed(self, qualified: str, view: View, depth: int) -> Iterator[str]:
+    def _renamed(self, qualified: str, view: View, led: _Led) -> Iterator[str]:
         parts = qualified.split("::")
         for count in range(1, len(parts)):
             if parts[count - 1] not in self._aliases.last_names:
@@ -101,8 +116,10 @@ class Scopes:
                 target = plain(entry.alias.target)
                 if entry.file in view and target and target != parts[count - 1]:
                     full = "::".join([target, *parts[count:]])
-                    for level in self.levels(full, entry.scope, view, depth + 1):
-                        yield from level
+                    if (full, entry.scope) not in led.asked:
+                        led.asked.add((full, entry.scope))
+                        for level in self._levels(full, entry.scope, view, _Led(led.depth + 1, led.asked)):
+                            yield from level
 
 
 def _around(one: str, other: str) -> str:

@@ -220,9 +220,9 @@ class KeptParts:
         if isinstance(value, Name) and value.id not in outline.effects.own:
             found = self.folder.scope.constant(value.id, Env(outline.func))
             value = found[0].value or value if found is not None else value
-        rows = value.items if isinstance(value, Items) else (value,)
+        rows = value.items if isinstance(value, Items) else () if value is None else (value,)
         if not isinstance(target, Items):
-            return Items(()) if isinstance(value, Items) and all(map(_is_fixed, rows)) else target
+            return Items(()) if isinstance(value, Items) and all(_is_fixed(row) for row in rows) else target
         columns = zip(*(taken(target.items, row) for row in rows), strict=True)
         return Items(
             tuple([column[0].target for column in columns if not all(_is_fixed(each.part) for each in column)])
