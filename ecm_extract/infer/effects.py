@@ -147,6 +147,8 @@ class Effects:
             while isinstance(call, Op | Member):
                 call = call.operands[0] if isinstance(call, Op) else call.base
             if isinstance(call, Call) and call is not target:
+                own = self.own if isinstance(call.callee, Name) and call.callee.id in self.own else ()
+                yield from (Effect("handed", key, call) for key in sorted(own))  # what a function within it gives
                 yield from (
                     Effect("handed", key, call)
                     for each in shared_names(call, self.func.fact.body)

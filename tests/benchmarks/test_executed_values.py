@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 
 import pytest
-from executed_values import Judged, judged
+from executed_values import Judged, judged, judged_combined
 
 
 def _wrong(lines: list[Judged]) -> list[Judged]:
@@ -24,4 +24,19 @@ def test_cpp_programs_do_what_is_told() -> None:
     """The same for C++, where a compiler is there."""
     lines = list(judged("cpp", [f"suite_{number}" for number in range(6)]))
     assert len(lines) > 10
+    assert not _wrong(lines)
+
+
+def test_combined_python_programs_do_what_is_told() -> None:
+    """What holds a text, what changes it and who reads it: none is told as it was before, as proved."""
+    lines = list(judged_combined("python", 25, "suite"))
+    assert len(lines) > 20
+    assert not _wrong(lines)
+
+
+@pytest.mark.skipif(shutil.which("g++") is None, reason="no g++ here")
+def test_combined_cpp_programs_do_what_is_told() -> None:
+    """The same for C++."""
+    lines = list(judged_combined("cpp", 25, "suite"))
+    assert len(lines) > 20
     assert not _wrong(lines)
