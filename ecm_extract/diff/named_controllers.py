@@ -5,7 +5,6 @@ One is a setting `arm_controller.type` (ROS 1: `arm_controller/type`) whose valu
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Final
@@ -15,7 +14,7 @@ from ecm_checker.hub.provision import Provision
 from ecm_extract.diff.model import Pair
 from ecm_extract.shipped import shipped
 
-_TYPE: Final = re.compile(r"(?P<name>\w+)[./]type")
+_TYPE: Final = "type"
 _SURE: Final = 0.9
 _GONE: Final = "who starts it, switches to it or sends to it by that name fails"
 Now = Callable[[Provision], str]
@@ -26,8 +25,8 @@ def controller_of(setting: Provision) -> str | None:
     """Return the name of the controller whose type a setting tells; None for all others."""
     if not setting.row.sets or setting.default not in shipped("system/controllers.toml")["claims"]:
         return None
-    found = _TYPE.search(setting.name)
-    return found["name"] if found is not None and found.end() == len(setting.name) else None
+    *_, name, last = ("", *setting.name.replace("/", ".").split("."))
+    return name if last == _TYPE and name else None
 
 
 def gone_controller(setting: Provision) -> str | None:
@@ -66,7 +65,7 @@ def _renamed(old: Provision, new: Provision, gone: list[Provision], came: list[P
     yield Pair(old, new, "renamed", _SURE, reason)
     there = {each.name: each for each in came if each.path == new.path and each is not new}
     for each in gone:
-        head, mark, tail = each.name.partition(f"{names[0]}")
+        head, mark, tail = each.name.partition(names[0] or "")
         target = there.get(f"{head}{names[1]}{tail}")
         if each is not old and each.path == old.path and not head and tail[:1] in {".", "/"} and mark and target:
             yield Pair(each, target)

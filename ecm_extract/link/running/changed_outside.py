@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import THIS, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import all_ways
-from ecm_extract.infer.places import chosen
+from ecm_extract.infer.places import as_written, chosen
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, Func
@@ -138,7 +138,7 @@ class ChangedOutside:
                     found[name].append((func, owner))
         kept = ((each.func, each.key) for each in self.folder.kept_parts.all())
         for func, key in (*self._changed_keys(), *kept):
-            for owner, field in _owned(key):
+            for owner, field in _fields(as_written(key)):
                 found[field].append((func, owner))
         return found
 
@@ -201,13 +201,3 @@ def _fields(part: Expr) -> Iterator[tuple[Expr, str]]:
         if part.base != THIS:
             yield part.base, part.name
         part = part.base
-
-
-def _owned(key: str) -> Iterator[tuple[Expr, str]]:
-    """Yield the objects that a variable lies in, other than the one at hand, each with its field."""
-    first, *fields = key.split(".")
-    owner: Expr = Name(first or "this")
-    for field in fields:
-        if owner != THIS:
-            yield owner, field
-        owner = Member(owner, field)
